@@ -305,8 +305,9 @@ typedef struct riffle_plugin {
 
   /* kernel */
   void (*kernel)(const void *self, riffle_kernel *out) RIFFLE_NOEXCEPT; /* [main] */
-  /* for k < n: out[b][k] for each bit b of `want`; r and l are arrays [block] */
-  int32_t (*evaluate_kernel)(const void *self, int64_t n, const double *r, const double *l, uint32_t want,
+  /* for k < n: out[b][k] for each bit b of `want`, at distance r[k] with smoothing length 1 / inverse_l[k] (the host
+     inverts once per particle, so that no closure divides per pair) [block] */
+  int32_t (*evaluate_kernel)(const void *self, int64_t n, const double *r, const double *inverse_l, uint32_t want,
                              double *const *out) RIFFLE_NOEXCEPT;
 
   /* boundary */
