@@ -277,9 +277,9 @@ typedef struct riffle_editor {
   void (*remove)(void *context, int64_t index) RIFFLE_NOEXCEPT;
   void (*retag)(void *context, int64_t index, uint32_t role) RIFFLE_NOEXCEPT;
   double (*reach)(void *context, int64_t index) RIFFLE_NOEXCEPT; /* how far that particle must see, skin included */
-  /* an image of particle `origin`: RIFFLE_MIRROR in the plane through a[] with normal axis `axis`,
-     RIFFLE_SHIFT by the vector a[] */
-  void (*image)(void *context, int64_t origin, uint32_t how, int32_t axis, const double *a) RIFFLE_NOEXCEPT;
+  /* an image of particle `origin` (or of an image, for corners): RIFFLE_MIRROR in the plane through a[] with normal
+     axis `axis`, RIFFLE_SHIFT by the vector a[]; returns the image's index (count, count + 1, ...) */
+  int64_t (*image)(void *context, int64_t origin, uint32_t how, int32_t axis, const double *a) RIFFLE_NOEXCEPT;
 } riffle_editor;
 
 /* ---- Plugin, library --------------------------------------------------------------------------------------------- */
