@@ -34,26 +34,27 @@ struct PluginChoice {
 struct Placement {
   enum class Mode { spacing, count, equal_volume };
   Mode mode = Mode::spacing;
-  double spacing = 0;          // m; spacing mode, and in the vertical plane
-  std::int64_t count = 0;      // count and equal_volume
-  double perturbation = 0;     // largest random displacement over the local spacing, [0, 0.5)
+  double spacing = 0;       // m; spacing mode, and in the vertical plane
+  std::int64_t count = 0;   // count and equal_volume
+  double perturbation = 0;  // largest random displacement over the local spacing, [0, 0.5)
   std::uint64_t seed = 1;
+  Function inside;  // particles only where it is above 0; not valid(): everywhere
 };
 
 struct TimeControl {
-  double end = 0;                     // s
-  double cfl = 0.5;                   // multiplies the votes that scale
-  std::optional<double> fixed_step;   // s; replaces the votes
-  double max_step = 0;                // s; 0: none
-  std::int64_t max_steps = 0;         // 0: none
+  double end = 0;                        // s
+  double cfl = 0.5;                      // multiplies the votes that scale
+  std::optional<double> fixed_step;      // s; replaces the votes
+  double max_step = 0;                   // s; 0: none
+  std::int64_t max_steps = 0;            // 0: none
   std::string integrator = "leap-frog";  // "leap-frog" | "semi-implicit-euler" | "predictor-corrector"
   bool drag_implicit = true;
 };
 
 struct OutputControl {
-  double snapshot_interval = 0;    // s of simulated time; 0: only first and last
-  double profile_interval = 0;     // s; 0: only last
-  double checkpoint_interval = 0;  // s of simulated time; 0: none
+  double snapshot_interval = 0;         // s of simulated time; 0: only first and last
+  double profile_interval = 0;          // s; 0: only last
+  double checkpoint_interval = 0;       // s of simulated time; 0: none
   double checkpoint_wall_interval = 0;  // s of wall time; 0: none
   bool picture = true;
   std::vector<std::string> fields;  // to write; empty: initial and evolved fields
@@ -61,8 +62,8 @@ struct OutputControl {
 
 struct ReferenceControl {
   PluginChoice plugin;
-  std::map<std::string, double> ignore_below;           // field name -> exact value under which a particle is left out
-  std::optional<std::array<double, 2>> region;          // of x: particles outside are left out
+  std::map<std::string, double> ignore_below;   // field name -> exact value under which a particle is left out
+  std::optional<std::array<double, 2>> region;  // of x: particles outside are left out
 };
 
 struct Case {
@@ -73,8 +74,10 @@ struct Case {
   double smoothing_ratio = 0;              // smoothing length over particle spacing at t = 0
   double gravity = 9.81, density = 1000, viscosity = 1e-6;  // m/s2, kg/m3, m2/s
   Placement placement;
-  std::map<std::string, std::vector<Function>> initial;  // field -> one function per component
-  std::vector<PluginChoice> plugins;                     // in the order of the manifest, reference excluded
+  // Field -> one function per component. Holds what the manifest gives; other fields of the equation set start from 0
+  // unless a plugin writes them.
+  std::map<std::string, std::vector<Function>> initial;
+  std::vector<PluginChoice> plugins;  // in the order of the manifest, reference excluded
   std::optional<ReferenceControl> reference;
   TimeControl time;
   OutputControl output;

@@ -27,6 +27,7 @@ struct FieldDescription {
   std::string name, unit, meaning;
   Shape shape = Shape::scalar;
   bool accumulates = false, not_negative = false, per_pair = false;
+  bool needed = false;  // of an initial field: [initial] must give it (depth always)
 };
 
 // Number of double components that a field of this shape has in `dim` dimensions.
@@ -52,8 +53,8 @@ struct PluginDescription {
 
 // The kinds that exist, in the order in which they are listed.
 inline const std::vector<std::string>& plugin_kinds() {
-  static const std::vector<std::string> kinds{"equations",  "kernel", "viscosity", "drag",
-                                              "turbulence", "boundary", "filter",  "reference"};
+  static const std::vector<std::string> kinds{"equations",  "kernel",   "viscosity", "drag",
+                                              "turbulence", "boundary", "filter",    "reference"};
   return kinds;
 }
 

@@ -100,7 +100,8 @@ enum { /* riffle_field.shape: components in dim dimensions */
 enum { /* riffle_field.flags */
   RIFFLE_ACCUMULATES = 1u << 0, /* several passes may add to it (RIFFLE_SUM); the host zeroes it first */
   RIFFLE_NOT_NEGATIVE = 1u << 1, /* the host stops the run and names the writer when a value is below zero */
-  RIFFLE_PER_PAIR = 1u << 2      /* one value per pair, alive while one block is processed (unless kept) */
+  RIFFLE_PER_PAIR = 1u << 2,     /* one value per pair, alive while one block is processed (unless kept) */
+  RIFFLE_NEEDED = 1u << 3        /* in riffle_plugin.initial: the manifest must give it (depth always) */
 };
 
 typedef struct riffle_field {
