@@ -65,6 +65,10 @@ class PluginCatalogue {
   // nullptr when there is no such plugin
   [[nodiscard]] virtual const PluginDescription* find(const std::string& kind, const std::string& id) const = 0;
   [[nodiscard]] virtual std::vector<const PluginDescription*> all() const = 0;
+  // Why find() gives nullptr, as a sentence, when a library was there that cannot be used; else empty.
+  [[nodiscard]] virtual std::string why_missing(const std::string& /*kind*/, const std::string& /*id*/) const {
+    return {};
+  }
 };
 
 }  // namespace riffle
