@@ -16,7 +16,10 @@ bool per_pair(const riffle_field& field) {
 std::string read_problem(const riffle_pass& pass, const riffle_read& read) {
   const bool of_pair = per_pair(*read.field);
   if ((read.flags & ~(RIFFLE_OPTIONAL | RIFFLE_PREVIOUS)) != 0) return fmt::format("unknown flags {:#x}", read.flags);
-  if ((read.flags & RIFFLE_PREVIOUS) != 0 && of_pair) return "a value of a pair has no previous one";
+  // A kernel output with RIFFLE_PREVIOUS is that of the previous smoothing length.
+  if ((read.flags & RIFFLE_PREVIOUS) != 0 && of_pair && !is_kernel_field(read.field->name)) {
+    return "a value of a pair has no previous one";
+  }
   if (pass.type == RIFFLE_PASS_PARTICLE) {
     return read.where == RIFFLE_AT_I && !of_pair ? "" : "a particle pass reads its own particle only (RIFFLE_AT_I)";
   }

@@ -1,0 +1,131 @@
+#include "host/plugins/instance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/plugins/call.hpp"
+#include "host/plugins/floating_point.hpp"
+
+namespace riffle {
+namespace {
+
+// A function of the manifest as a plugin calls it. What cannot be evaluated is no number, which the host notices.
+void evaluate_function(const void* context, std::int64_t n, const double* x, const double* y, const double* z, double t,
+                       double* out) noexcept {
+  try {
+    static_cast<const Function*>(context)->evaluate(n, x, y, z, t, out);
+  } catch (...) {
+    std::fill_n(out, n, std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+class Constant : public Function::Implementation {
+ public:
+  explicit Constant(double value) : value_(value) {}
+  void evaluate(std::int64_t n, const double*, const double*, const double*, double, double* out) const override {
+    std::fill_n(out, n, value_);
+  }
+
+ private:
+  double value_;
+};
+
+// The number nearest to the parameter's least value that its range allows.
+double least_allowed(const ParameterDescription& p) {
+  const double low = std::isfinite(p.min) ? p.min : std::min(0.0, p.max);
+  if (!p.above_min || low != p.min) return low;
+  if (p.type == ParameterType::integer) return low + 1;
+  const double high = std::isfinite(p.max) ? p.max : low + 1;
+  return low + (high - low) / 2;
+}
+
+}  // namespace
+
+PluginInstance::PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values)
+    : owner_(plugin.owner),
+      table_(plugin.table),
+      dim_(dim),
+      kind_(plugin.description.kind),
+      id_(plugin.description.id),
+      values_(std::make_unique<Values>()) {
+  const auto& dims = plugin.description.dimensions;
+  if (std::find(dims.begin(), dims.end(), dim) == dims.end()) {
+    throw PluginError(
+        fmt::format("{} works in {} dimension(s) only, the scene has {}", name(), fmt::join(dims, ", "), dim));
+  }
+  if (values.size() != plugin.description.parameters.size()) {
+    throw PluginError(fmt::format("{} has {} parameters, but {} values were given", name(),
+                                  plugin.description.parameters.size(), values.size()));
+  }
+  values_->given = values;
+  for (const ParameterValue& value : values_->given) {
+    const riffle_function* function = nullptr;
+    if (value.function) {
+      function = &values_->functions.emplace_back(
+          riffle_function{sizeof(riffle_function), 0, value.function.get(), &evaluate_function});
+    }
+    values_->values.push_back(
+        {sizeof(riffle_value), value.given ? 1U : 0U, value.number, value.text.c_str(), function});
+  }
+  for (const riffle_value& value : values_->values) values_->pointers.push_back(&value);
+  values_->pointers.push_back(nullptr);
+
+  riffle_error error = no_error();
+  FloatingPointGuard guard;
+  call_plugin(error, [&] {
+    self_ = {may_throw(table_->create)(dim, values_->pointers.data(), &error), DestroyPlugin{table_->destroy}};
+    return RIFFLE_OK;
+  });
+  const bool changed = guard.restore();
+  if (!self_) throw PluginError(fmt::format("{} cannot be created: {}", name(), message_of(error)));
+  if (changed) {
+    throw PluginError(fmt::format("{} changes the floating-point arithmetic of the whole program in create", name()));
+  }
+}
+
+void DestroyPlugin::operator()(void* self) const {
+  if (self == nullptr) return;
+  const FloatingPointGuard guard;
+  destroy(self);
+}
+
+std::shared_ptr<const Function> constant_function(double value) {
+  return std::make_shared<Function>(std::make_shared<Constant>(value), fmt::format("{}", value));
+}
+
+std::vector<ParameterValue> default_values(const PluginDescription& description,
+                                           const std::map<std::string, double>& inherited) {
+  static const std::map<std::string, double> water{
+      {"fluid.gravity", 9.81}, {"fluid.density", 1000}, {"fluid.viscosity", 1e-6}};
+  std::vector<ParameterValue> values;
+  for (const ParameterDescription& p : description.parameters) {
+    ParameterValue value;
+    value.name = p.name;
+    value.number = p.required ? least_allowed(p) : p.fallback;
+    if (!p.inherit.empty()) {
+      if (const auto given = inherited.find(p.inherit); given != inherited.end()) {
+        value.number = given->second;
+      } else if (const auto known = water.find(p.inherit); known != water.end()) {
+        value.number = known->second;
+      } else if (p.fallback < p.min || p.fallback > p.max || (p.above_min && p.fallback == p.min)) {
+        value.number = least_allowed(p);
+      }
+    }
+    if (p.type == ParameterType::choice) {
+      const auto word = std::find(p.choices.begin(), p.choices.end(), p.fallback_text);
+      value.number = word == p.choices.end() ? 0 : static_cast<double>(word - p.choices.begin());
+      value.text = p.choices.at(static_cast<std::size_t>(value.number));
+    } else if (p.type == ParameterType::text) {
+      value.text = p.fallback_text;
+    } else if (p.type == ParameterType::function) {
+      value.function = constant_function(p.required ? least_allowed(p) : p.fallback);
+    }
+    values.push_back(std::move(value));
+  }
+  return values;
+}
+
+}  // namespace riffle
