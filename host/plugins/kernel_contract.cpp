@@ -25,6 +25,10 @@ constexpr std::array<double, 5> gauss_w{0.23692688505618908751, 0.47862867049936
 
 using Values = std::array<std::vector<double>, RIFFLE_KERNEL_OUTPUTS>;
 
+// What is integrated, one per output; W itself over space.
+using Integrals = std::array<double, RIFFLE_KERNEL_OUTPUTS>;
+constexpr Output over_space = w;
+
 class KernelCheck {
  public:
   explicit KernelCheck(const PluginInstance& instance) : instance_(instance), dim_(instance.dim()) {
@@ -123,143 +127,155 @@ class KernelCheck {
     }
   }
 
+  // Each derivative is held against W and F alone, so that a mistake is found where it is. With W_r = r F, and
+  // W = l^-d w(r/l), hence l W_l = -(d W + r W_r) and l^2 W_ll = d (d+1) W + 2 (d+1) r W_r + r^2 W_rr:
+  //   [W] = int W_r,  [W_r] = int W_rr,  [W_l] = int W_rl,  [r^2 W_r] = int (l^2 W_ll - d (d+1) W - 2 d r W_r).
   void check_integrals() {
-    // A kernel may be put together of pieces that meet anywhere. Where they meet within an interval, quadrature is only
-    // accurate in the limit of small intervals, so a mistake counts when finer intervals find it too.
-    std::vector<std::string> mistakes;
-    for (const int intervals : {60, 600, 6000}) {
-      mistakes = integral_mistakes(intervals);
-      if (mistakes.empty() || !problems_.empty()) return;
+    const std::vector<double> r = knots();
+    const Values at = evaluate(r, length);
+    if (!finite(at)) return;
+    if (at[w].front() <= 0) return fail(fmt::format("W(0) is {:.6g}, not positive", at[w].front()));
+    if (at[f].front() > 0) return fail("F = (dW/dr)/r is positive at r = 0");
+    if (std::abs(at[w].back()) > 1e-3 * at[w].front()) {
+      return fail(fmt::format("W jumps to 0 at its support, from {:.2g} of W(0)", at[w].back() / at[w].front()));
     }
-    for (const std::string& mistake : mistakes) fail(mistake);
+    const std::vector<Integrals> integrals = integrate(r);
+    if (!problems_.empty()) return;
+
+    double norm = 0;
+    for (const Integrals& interval : integrals) norm += interval[over_space];
+    if (std::abs(norm - kernel_.integral) > tolerance * kernel_.integral) {
+      return fail(fmt::format("its integral over space is {:.12g}, but it says {:.12g}", norm, kernel_.integral));
+    }
+    std::vector<double> slope, w_over_l, curvature_moment;
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      slope.push_back(r[k] * at[f][k]);
+      w_over_l.push_back(-(dim_ * at[w][k] + r[k] * slope[k]) / length);
+      curvature_moment.push_back(r[k] * r[k] * slope[k]);
+    }
+    check_increments(f, at[w], r, integrals);
+    if (gives(w_l)) check_values(w_l, at[w_l], w_over_l, r);
+    if (gives(w_rr)) check_increments(w_rr, slope, r, integrals);
+    if (gives(w_rl)) check_increments(w_rl, w_over_l, r, integrals);
+    if (gives(w_ll)) check_increments(w_ll, curvature_moment, r, integrals);
   }
 
-  std::vector<double> knots(int intervals) const {
-    std::vector<double> q;
-    for (int k = 0; k < intervals; ++k) q.push_back(kernel_.support * k / intervals);
-    for (int k = 1; 0.25 * k < kernel_.support; ++k) q.push_back(0.25 * k);
-    // The last one lies just inside, so that a kernel that is cut off instead of ending smoothly has its own value there.
-    q.push_back(kernel_.support * (1 - 1e-11));
-    std::sort(q.begin(), q.end());
-    q.erase(std::unique(q.begin(), q.end(), [](double a, double b) { return b - a < 1e-9; }), q.end());
-    q.back() = kernel_.support * (1 - 1e-11);
-    return q;
+  // From 0 to just inside the support, so that a kernel that is cut off instead of ending smoothly has its own value
+  // there.
+  [[nodiscard]] std::vector<double> knots() const {
+    constexpr int intervals = 60;  // divisible by 2, 3, 4, 5, 6: pieces usually meet at a multiple of l or of kappa l
+    std::vector<double> r;
+    for (int k = 0; k <= intervals; ++k) r.push_back(length * kernel_.support * k / intervals);
+    r.back() *= 1 - 1e-11;
+    return r;
   }
 
-  std::vector<std::string> integral_mistakes(int intervals) {
-    const std::vector<double> q = knots(intervals);
-    std::vector<double> ends, points, weights;
-    for (const double x : q) ends.push_back(x * length);
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      const double half = 0.5 * (ends[k + 1] - ends[k]), middle = 0.5 * (ends[k + 1] + ends[k]);
-      for (std::size_t g = 0; g < gauss_x.size(); ++g) {
-        points.push_back(middle + half * gauss_x[g]);
-        weights.push_back(half * gauss_w[g]);
+  bool finite(const Values& values) {
+    for (std::size_t b = 0; b < values.size(); ++b) {
+      if (std::all_of(values[b].begin(), values[b].end(), [](double x) { return std::isfinite(x); })) continue;
+      fail(fmt::format("{} is not finite everywhere in its support", output_names[b]));
+      return false;
+    }
+    return true;
+  }
+
+  struct Interval {
+    std::size_t base;  // the interval between knots that it is a part of
+    double begin, end;
+    Integrals whole;  // by one application of the quadrature
+  };
+
+  // Adaptive quadrature over each interval between knots: halved wherever the halves do not confirm the whole, because
+  // pieces of a kernel may meet anywhere and quadrature across a kink is poor.
+  std::vector<Integrals> integrate(const std::vector<double>& r) {
+    std::vector<Integrals> sums(r.size() - 1, Integrals{});
+    std::vector<Interval> open;
+    for (std::size_t k = 0; k + 1 < r.size(); ++k) open.push_back({k, r[k], r[k + 1], {}});
+    apply_quadrature(open);
+    Integrals scale{};
+    for (const Interval& interval : open) {
+      for (std::size_t m = 0; m < scale.size(); ++m) scale[m] += std::abs(interval.whole[m]);
+    }
+    constexpr int deepest = 40;  // halvings; the parts are then as short as the spacing of doubles
+    for (int depth = 0; !open.empty() && problems_.empty(); ++depth) {
+      std::vector<Interval> halves;
+      for (const Interval& interval : open) {
+        const double middle = 0.5 * (interval.begin + interval.end);
+        halves.push_back({interval.base, interval.begin, middle, {}});
+        halves.push_back({interval.base, middle, interval.end, {}});
       }
-    }
-    const Values at_ends = evaluate(ends, length), inside = evaluate(points, length);
-    std::vector<std::string> mistakes;
-    check_values(at_ends, inside, points, mistakes);
-    if (mistakes.empty()) check_norm(inside[w], points, weights, mistakes);
-    if (mistakes.empty()) check_derivatives(at_ends, inside, ends, points, weights, mistakes);
-    return mistakes;
-  }
-
-  void check_values(const Values& at_ends, const Values& inside, const std::vector<double>& points,
-                    std::vector<std::string>& mistakes) {
-    for (std::size_t b = 0; b < inside.size(); ++b) {
-      const auto finite = [](double x) { return std::isfinite(x); };
-      if (!std::all_of(inside[b].begin(), inside[b].end(), finite) ||
-          !std::all_of(at_ends[b].begin(), at_ends[b].end(), finite)) {
-        mistakes.push_back(fmt::format("{} is not finite everywhere in its support", output_names[b]));
-        return;
+      apply_quadrature(halves);
+      std::vector<Interval> next;
+      for (std::size_t k = 0; k < open.size(); ++k) {
+        const Interval &left = halves[2 * k], &right = halves[2 * k + 1];
+        bool confirmed = true;
+        for (std::size_t m = 0; m < scale.size(); ++m) {
+          confirmed = confirmed && std::abs(left.whole[m] + right.whole[m] - open[k].whole[m]) <= 1e-13 * scale[m];
+        }
+        if (confirmed || depth == deepest) {
+          for (std::size_t m = 0; m < scale.size(); ++m) sums[open[k].base][m] += left.whole[m] + right.whole[m];
+        } else {
+          next.push_back(left);
+          next.push_back(right);
+        }
       }
+      open = std::move(next);
     }
-    const auto worst = std::max_element(inside[f].begin(), inside[f].end());
-    if (*worst > 0) {
-      mistakes.push_back(fmt::format("F = (dW/dr)/r is positive at r = {:.4g} l",
-                                     points[static_cast<std::size_t>(worst - inside[f].begin())] / length));
-    } else if (at_ends[f].front() > 0) {
-      mistakes.push_back("F = (dW/dr)/r is positive at r = 0");
-    }
-    if (at_ends[w].front() <= 0) mistakes.push_back(fmt::format("W(0) is {}, not positive", at_ends[w].front()));
-    if (std::abs(at_ends[w].back()) > 1e-3 * at_ends[w].front()) {
-      mistakes.push_back(
-          fmt::format("W jumps to 0 at its support, from {:.2g} of W(0)", at_ends[w].back() / at_ends[w].front()));
-    }
+    return sums;
   }
 
-  void check_norm(const std::vector<double>& values, const std::vector<double>& points,
-                  const std::vector<double>& weights, std::vector<std::string>& mistakes) {
+  void apply_quadrature(std::vector<Interval>& intervals) {
+    std::vector<double> r;
+    for (const Interval& interval : intervals) {
+      const double half = 0.5 * (interval.end - interval.begin), middle = 0.5 * (interval.end + interval.begin);
+      for (const double x : gauss_x) r.push_back(middle + half * x);
+    }
+    const Values at = evaluate(r, length);
+    if (!finite(at)) return;
     const double surface = dim_ == 1 ? 2 : (dim_ == 2 ? 2 : 4) * std::numbers::pi;  // of the unit ball
-    double integral = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      integral += weights[k] * surface * std::pow(points[k], dim_ - 1) * values[k];
-    }
-    if (std::abs(integral - kernel_.integral) > tolerance * kernel_.integral) {
-      mistakes.push_back(
-          fmt::format("its integral over space is {:.12g}, but it says {:.12g}", integral, kernel_.integral));
+    for (std::size_t p = 0; p < r.size(); ++p) {
+      if (at[f][p] > 0) return fail(fmt::format("F = (dW/dr)/r is positive at r = {:.4g} l", r[p] / length));
+      Interval& interval = intervals[p / gauss_x.size()];
+      const double weight = 0.5 * (interval.end - interval.begin) * gauss_w[p % gauss_x.size()];
+      const double slope = r[p] * at[f][p];
+      interval.whole[over_space] += weight * surface * std::pow(r[p], dim_ - 1) * at[w][p];
+      interval.whole[f] += weight * slope;
+      if (gives(w_rr)) interval.whole[w_rr] += weight * at[w_rr][p];
+      if (gives(w_rl)) interval.whole[w_rl] += weight * at[w_rl][p];
+      if (!gives(w_ll)) continue;
+      const double rest = dim_ * ((dim_ + 1) * at[w][p] + 2 * r[p] * slope);
+      interval.whole[w_ll] += weight * (length * length * at[w_ll][p] - rest);
     }
   }
 
-  // Each derivative against W and F alone, so that a mistake is found where it is. With W_r = r F, and W = l^-d w(r/l)
-  // so that l W_l = -(d W + r W_r) and l^2 W_ll = d (d+1) W + 2 (d+1) r W_r + r^2 W_rr:
-  //   [W] = int W_r,  [W_r] = int W_rr,  [W_l] = int W_rl,  int l^2 W_ll = int (d (d+1) W + 2 d r W_r) + [r^2 W_r].
-  void check_derivatives(const Values& at_ends, const Values& inside, const std::vector<double>& ends,
-                         const std::vector<double>& points, const std::vector<double>& weights,
-                         std::vector<std::string>& mistakes) {
-    const std::size_t n = points.size();
-    std::vector<double> slope(n), ll(n), end_slope, end_l, end_ll;
-    for (std::size_t k = 0; k < n; ++k) {
-      slope[k] = points[k] * inside[f][k];
-      if (gives(w_ll)) {
-        ll[k] = length * length * inside[w_ll][k] - dim_ * ((dim_ + 1) * inside[w][k] + 2 * points[k] * slope[k]);
-      }
-    }
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      end_slope.push_back(ends[k] * at_ends[f][k]);
-      end_l.push_back(-(dim_ * at_ends[w][k] + ends[k] * end_slope[k]) / length);
-      end_ll.push_back(ends[k] * ends[k] * end_slope[k]);
-    }
-    check_increments(f, at_ends[w], slope, ends, weights, mistakes);
-    if (gives(w_l)) check_scaling(at_ends[w_l], end_l, ends, mistakes);
-    if (gives(w_rr)) check_increments(w_rr, end_slope, inside[w_rr], ends, weights, mistakes);
-    if (gives(w_rl)) check_increments(w_rl, end_l, inside[w_rl], ends, weights, mistakes);
-    if (gives(w_ll)) check_increments(w_ll, end_ll, ll, ends, weights, mistakes);
-  }
-
-  // The integral of `rate` over each interval is the increment of `quantity`.
-  void check_increments(Output output, const std::vector<double>& quantity, const std::vector<double>& rate,
-                        const std::vector<double>& ends, const std::vector<double>& weights,
-                        std::vector<std::string>& mistakes) {
-    double largest = 0;
-    for (const double value : quantity) largest = std::max(largest, std::abs(value));
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      double integral = 0;
-      for (std::size_t g = 0; g < gauss_x.size(); ++g) {
-        const std::size_t p = gauss_x.size() * k + g;
-        integral += weights[p] * rate[p];
-      }
-      const double error = std::abs(integral - (quantity[k + 1] - quantity[k]));
+  // `quantity` at each knot is its value at the support less the integral of `output` from there on.
+  void check_increments(Output output, const std::vector<double>& quantity, const std::vector<double>& r,
+                        const std::vector<Integrals>& integrals) {
+    std::vector<double> expected = quantity;
+    for (std::size_t k = quantity.size() - 1; k-- > 0;) expected[k] = expected[k + 1] - integrals[k][output];
+    const double largest = largest_of(quantity);
+    for (std::size_t k = quantity.size() - 1; k-- > 0;) {
+      const double error = std::abs(expected[k] - quantity[k]);
       if (error <= tolerance * largest) continue;
-      mistakes.push_back(
-          fmt::format("{} does not fit W: between r = {:.4g} l and {:.4g} l its integral is off by {:.2g} "
-                      "of the largest value",
-                      output_names[output], ends[k] / length, ends[k + 1] / length, error / largest));
-      return;
+      return fail(fmt::format("{} does not fit W: its integral from r = {:.4g} l on is off by {:.2g} of the largest",
+                              output_names[output], r[k] / length, error / largest));
     }
   }
 
-  void check_scaling(const std::vector<double>& values, const std::vector<double>& expected,
-                     const std::vector<double>& ends, std::vector<std::string>& mistakes) {
-    double largest = 0;
-    for (const double value : expected) largest = std::max(largest, std::abs(value));
+  void check_values(Output output, const std::vector<double>& values, const std::vector<double>& expected,
+                    const std::vector<double>& r) {
+    const double largest = largest_of(expected);
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (std::abs(values[k] - expected[k]) <= tolerance * largest) continue;
-      mistakes.push_back(fmt::format("dW/dl does not fit W: at r = {:.4g} l it is {:.6g} instead of {:.6g}",
-                                     ends[k] / length, values[k], expected[k]));
-      return;
+      return fail(fmt::format("{} does not fit W: at r = {:.4g} l it is {:.6g} instead of {:.6g}", output_names[output],
+                              r[k] / length, values[k], expected[k]));
     }
+  }
+
+  static double largest_of(const std::vector<double>& values) {
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest;
   }
 
   const PluginInstance& instance_;
