@@ -7,17 +7,12 @@ cmake_minimum_required(VERSION 3.22)
 
 option(RIFFLE_PLUGIN_NATIVE "Build plugins for the vector width of this machine" ON)
 
-# The headers stand in include/ of a folder above this file: sdk/ in the source tree, the prefix once installed.
-get_filename_component(_riffle_root "${CMAKE_CURRENT_LIST_DIR}" REALPATH)
-while(NOT EXISTS "${_riffle_root}/include/riffle/abi.h")
-  get_filename_component(_riffle_above "${_riffle_root}" DIRECTORY)
-  if(_riffle_above STREQUAL _riffle_root)
-    set(RiffleSDK_FOUND FALSE)
-    set(RiffleSDK_NOT_FOUND_MESSAGE "include/riffle/abi.h stands in no folder above ${CMAKE_CURRENT_LIST_DIR}")
-    return()
-  endif()
-  set(_riffle_root "${_riffle_above}")
-endwhile()
+include("${CMAKE_CURRENT_LIST_DIR}/RiffleSDKRoot.cmake")
+if(NOT _riffle_root)
+  set(RiffleSDK_FOUND FALSE)
+  set(RiffleSDK_NOT_FOUND_MESSAGE "include/riffle/abi.h stands in no folder above ${CMAKE_CURRENT_LIST_DIR}")
+  return()
+endif()
 
 if(NOT TARGET Riffle::sdk)
   add_library(riffle_sdk INTERFACE)
