@@ -33,13 +33,16 @@ class Constant : public Function::Implementation {
   double value_;
 };
 
-// The number nearest to the parameter's least value that its range allows.
-double least_allowed(const ParameterDescription& p) {
-  const double low = std::isfinite(p.min) ? p.min : std::min(0.0, p.max);
-  if (!p.above_min || low != p.min) return low;
-  if (p.type == ParameterType::integer) return low + 1;
-  const double high = std::isfinite(p.max) ? p.max : low + 1;
-  return low + (high - low) / 2;
+// A number of everyday size in SI that the parameter's range allows; `rank` makes those of one plugin differ.
+double usual_number(const ParameterDescription& p, int rank) {
+  const auto allowed = [&](double x) {
+    return x >= p.min && x <= p.max && !(p.above_min && x == p.min) && !(p.below_max && x == p.max);
+  };
+  const double one = p.type == ParameterType::integer ? 1.0 : 1.0 / rank;
+  if (allowed(one)) return one;
+  if (allowed(p.min)) return p.min;
+  if (p.type == ParameterType::integer) return p.min + 1;
+  return std::isfinite(p.max) ? p.min + (p.max - p.min) / 2 : std::max(2 * p.min, 1.0);
 }
 
 }  // namespace
@@ -99,20 +102,21 @@ std::shared_ptr<const Function> constant_function(double value) {
 std::vector<ParameterValue> default_values(const PluginDescription& description,
                                            const std::map<std::string, double>& inherited) {
   static const std::map<std::string, double> water{
-      {"fluid.gravity", 9.81}, {"fluid.density", 1000}, {"fluid.viscosity", 1e-6}};
+
+      {"fluid.gravity", 9.81}, {"fluid.density", 1000}, {"fluid.viscosity", 1e-6}, {"domain.smoothing_ratio", 1.3}};
   std::vector<ParameterValue> values;
+  int required = 0;
   for (const ParameterDescription& p : description.parameters) {
     ParameterValue value;
     value.name = p.name;
-    value.number = p.required ? least_allowed(p) : p.fallback;
-    if (!p.inherit.empty()) {
-      if (const auto given = inherited.find(p.inherit); given != inherited.end()) {
-        value.number = given->second;
-      } else if (const auto known = water.find(p.inherit); known != water.end()) {
-        value.number = known->second;
-      } else if (p.fallback < p.min || p.fallback > p.max || (p.above_min && p.fallback == p.min)) {
-        value.number = least_allowed(p);
-      }
+    if (const auto given = inherited.find(p.inherit); given != inherited.end()) {
+      value.number = given->second;
+    } else if (const auto known = water.find(p.inherit); known != water.end()) {
+      value.number = known->second;
+    } else if (p.required) {
+      value.number = usual_number(p, ++required);
+    } else {
+      value.number = p.fallback;
     }
     if (p.type == ParameterType::choice) {
       const auto word = std::find(p.choices.begin(), p.choices.end(), p.fallback_text);
@@ -121,7 +125,7 @@ std::vector<ParameterValue> default_values(const PluginDescription& description,
     } else if (p.type == ParameterType::text) {
       value.text = p.fallback_text;
     } else if (p.type == ParameterType::function) {
-      value.function = constant_function(p.required ? least_allowed(p) : p.fallback);
+      value.function = constant_function(value.number);
     }
     values.push_back(std::move(value));
   }

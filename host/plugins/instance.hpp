@@ -59,8 +59,8 @@ class PluginInstance {
   std::unique_ptr<void, DestroyPlugin> self_;
 };
 
-// Every parameter at its default; those that inherit take the quantity of that name from `inherited` ("fluid.gravity"),
-// or water on earth. A required number is its least (or largest finite) allowed value, a required text is empty.
+// Every parameter at its default. Those that inherit take the quantity of that name from `inherited` ("fluid.gravity"),
+// or that of water on earth. Those that a manifest must give, and so have no default, get a number of everyday size.
 std::vector<ParameterValue> default_values(const PluginDescription& description,
                                            const std::map<std::string, double>& inherited = {});
 

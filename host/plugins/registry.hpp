@@ -30,6 +30,9 @@ class Registry : public PluginCatalogue {
   // the earlier directory is used; in one directory they are an error, and neither is.
   explicit Registry(const std::vector<std::filesystem::path>& directories);
 
+  Registry(Registry&&) = default;  // but no copies: plugins are known by their addresses
+  Registry& operator=(Registry&&) = default;
+
   [[nodiscard]] const PluginDescription* find(const std::string& kind, const std::string& id) const override;
   [[nodiscard]] std::vector<const PluginDescription*> all() const override;  // by kind as in plugin_kinds(), then id
   [[nodiscard]] std::string why_missing(const std::string& kind, const std::string& id) const override;
