@@ -1,0 +1,116 @@
+// Straight frictionless walls on faces of the domain: every particle within reach of a wall has a mirror image behind
+// it, with the normal velocity reversed, so that nothing flows through and nothing is held back along it.
+//
+// Images are made anew with each neighbour list. With smoothing lengths that vary, a particle must be imaged when
+// itself or any other particle can see across the wall to its image: when its distance d to the wall is below its own
+// reach or below max_j (reach_j - d_j). Where walls of two axes meet, the images of the one are mirrored in the other.
+// A water particle that has stepped across a wall has changed places with its own image, so it is taken back with
+// position mirrored and normal velocity (and acceleration, where the integrator holds one) reversed: nothing leaks and
+// energy is kept. Ghost particles after Diwakar & Mohapatra (2023), fig. 1a, free slip.
+// Not in it: friction and no slip; moving or oblique walls; second images in a domain narrower than a particle's reach.
+#include <algorithm>
+#include <riffle/sdk.hpp>
+#include <string>
+#include <vector>
+
+struct MirrorWall {
+  static constexpr auto id = "mirror-wall", kind = "boundary", version = "1.0.0";
+  static constexpr auto summary = "Frictionless straight walls by mirror images";
+  static constexpr auto source = "Diwakar & Mohapatra (2023) fig. 1a, free slip";
+  static constexpr auto leaves_out = "friction, moving and oblique walls; images of images between two opposite walls";
+  static constexpr riffle_parameter parameters[] = {
+      riffle::boolean("x_min", true, "the face at the smallest x is a wall"),
+      riffle::boolean("x_max", true, "the face at the largest x is a wall"),
+      riffle::boolean("y_min", false, "the face at the smallest y is a wall (three dimensions)"),
+      riffle::boolean("y_max", false, "the face at the largest y is a wall (three dimensions)"),
+      riffle::boolean("z_min", false, "the face at the smallest z is a wall (two and three dimensions)"),
+      riffle::boolean("z_max", false, "the face at the largest z is a wall (two and three dimensions)"),
+      riffle::real("x_min_position", "m", 0, -1e6, 1e6, "where that wall stands", 0, "domain.x_min"),
+      riffle::real("x_max_position", "m", 1, -1e6, 1e6, "where that wall stands", 0, "domain.x_max"),
+      riffle::real("y_min_position", "m", 0, -1e6, 1e6, "where that wall stands", 0, "domain.y_min"),
+      riffle::real("y_max_position", "m", 1, -1e6, 1e6, "where that wall stands", 0, "domain.y_max"),
+      riffle::real("z_min_position", "m", 0, -1e6, 1e6, "where that wall stands", 0, "domain.z_min"),
+      riffle::real("z_max_position", "m", 1, -1e6, 1e6, "where that wall stands", 0, "domain.z_max")};
+
+  struct Wall {
+    int axis;
+    double position, inward;  // inward: +1 at a lower face, -1 at an upper one
+    [[nodiscard]] double distance(double x) const { return inward * (x - position); }
+  };
+  struct Image {
+    std::int64_t index, origin;
+  };
+
+  explicit MirrorWall(const riffle::Values& v) {
+    const int dim = v.dim(), axis_of[] = {0, dim == 3 ? 1 : -1, dim >= 2 ? dim - 1 : -1};  // x | x z | x y z
+    for (int a = 0; a < 3; ++a) {
+      const std::string name(1, "xyz"[a]);
+      for (const bool lower : {true, false}) {
+        const std::string face = name + (lower ? "_min" : "_max");
+        if (!v.flag(face.c_str())) continue;
+        if (axis_of[a] < 0) {
+          throw std::invalid_argument(face + " = true, but there is no " + name + " in " + std::to_string(dim) +
+                                      (dim == 1 ? " dimension" : " dimensions"));
+        }
+        walls.push_back({axis_of[a], v.number((face + "_position").c_str()), lower ? 1.0 : -1.0});
+      }
+      if (v.number((name + "_min_position").c_str()) >= v.number((name + "_max_position").c_str()) && axis_of[a] >= 0) {
+        throw std::invalid_argument(name + "_min_position must lie below " + name + "_max_position");
+      }
+    }
+  }
+
+  void edit(const riffle_editor& e) const {
+    for (const Wall& wall : walls) {
+      double* x = e.write(e.context, "position", wall.axis);
+      double* u = e.write(e.context, "velocity", wall.axis);
+      double* acceleration = e.write(e.context, "acceleration", wall.axis);
+      for (std::int64_t k = 0; k < e.count; ++k) {
+        if (e.role[k] != RIFFLE_FLUID || !(wall.distance(x[k]) < 0)) continue;
+        x[k] = 2 * wall.position - x[k];
+        if (u != nullptr) u[k] = -u[k];
+        if (acceleration != nullptr) acceleration[k] = -acceleration[k];
+      }
+    }
+  }
+
+  void images(const riffle_editor& e) const {
+    std::vector<Image> made;
+    for (int axis = 0; axis < e.dim; ++axis) {
+      const std::size_t of_other_axes = made.size();
+      for (const Wall& wall : walls) {
+        if (wall.axis != axis) continue;
+        const std::vector<Image> origins = near(wall, e, made, of_other_axes);
+        double plane[3] = {0, 0, 0};
+        plane[axis] = wall.position;
+        for (const Image& from : origins) {
+          made.push_back({e.image(e.context, from.index, RIFFLE_MIRROR, axis, plane), from.origin});
+        }
+      }
+    }
+  }
+
+  // The particles, and the first `images` images, that the wall mirrors. Collected before any image is made, because
+  // the arrays of the editor may move then.
+  static std::vector<Image> near(const Wall& wall, const riffle_editor& e, const std::vector<Image>& made,
+                                 std::size_t images) {
+    const double* x = e.read(e.context, "position", wall.axis);
+    const auto inside = [&](std::int64_t k) { return e.role[k] == RIFFLE_FLUID || wall.distance(x[k]) >= 0; };
+    double zone = 0;
+    for (std::int64_t k = 0; k < e.count; ++k) {
+      if (inside(k)) zone = std::max(zone, e.reach(e.context, k) - wall.distance(x[k]));
+    }
+    std::vector<Image> found;
+    const auto add = [&](Image candidate) {
+      const std::int64_t k = candidate.origin;
+      if (e.role[k] == RIFFLE_PROBE || !inside(k)) return;
+      if (wall.distance(x[k]) < std::max(zone, e.reach(e.context, k))) found.push_back(candidate);
+    };
+    for (std::int64_t k = 0; k < e.count; ++k) add({k, k});
+    for (std::size_t m = 0; m < images; ++m) add(made[m]);
+    return found;
+  }
+  std::vector<Wall> walls;
+};
+
+RIFFLE_PLUGIN(MirrorWall)
