@@ -1,0 +1,278 @@
+#include "host/cli/run_report.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "host/output/picture.hpp"
+#include "host/output/profiles.hpp"
+
+namespace riffle {
+
+namespace {
+
+// The scalar columns of a field: one, or one per axis.
+std::vector<std::pair<std::string, int>> columns_of(const Field& field, int dim) {
+  static constexpr const char* axes[3][3] = {{"", "", ""}, {"_x", "_z", ""}, {"_x", "_y", "_z"}};
+  std::vector<std::pair<std::string, int>> out;
+  for (std::size_t c = 0; c < field.component.size(); ++c) {
+    std::string suffix;
+    if (field.component.size() > 1) {
+      suffix = field.description.shape == Shape::vector ? axes[dim - 1][c] : "_" + std::to_string(c);
+    }
+    out.emplace_back(field.description.name + suffix, static_cast<int>(c));
+  }
+  return out;
+}
+
+std::size_t water(const Simulation& simulation) {
+  return static_cast<std::size_t>(simulation.store().role_begin(1));
+}
+
+std::vector<double> values_of(const Simulation& simulation, const std::string& field, int component) {
+  const double* v = simulation.store().data(field, component);
+  return {v, v + water(simulation)};
+}
+
+NeighbourStatistics neighbour_statistics(const Simulation& simulation) {
+  NeighbourStatistics statistics;
+  for (const auto& node : simulation.graph().nodes()) {
+    if (!node.pair || node.makes_pair_field || (node.targets & RIFFLE_FLUID) == 0) continue;
+    const NeighbourList& list = simulation.neighbourhood().list({node.reach, node.targets, node.sources});
+    const auto n = std::min(water(simulation), list.count.size());
+    if (n == 0) continue;
+    const auto [least, most] =
+        std::minmax_element(list.count.begin(), list.count.begin() + static_cast<std::ptrdiff_t>(n));
+    statistics.smallest = *least;
+    statistics.largest = *most;
+    statistics.mean = std::accumulate(list.count.begin(), list.count.begin() + static_cast<std::ptrdiff_t>(n), 0.0) /
+                      static_cast<double>(n);
+    break;
+  }
+  return statistics;
+}
+
+}  // namespace
+
+InitialState capture(const Simulation& simulation) {
+  InitialState initial;
+  initial.x = values_of(simulation, "position", 0);
+  for (const auto& name : simulation.shown_fields()) {
+    const Field* field = simulation.store().find(name);
+    if (field == nullptr) continue;
+    for (const auto& [column, c] : columns_of(*field, simulation.scene().dimension))
+      initial.fields[column] = values_of(simulation, name, c);
+  }
+  return initial;
+}
+
+void write_run_profile(const std::filesystem::path& path, Simulation& simulation, const Comparison* comparison) {
+  const Case& scene = simulation.scene();
+  static constexpr const char* axes[3][3] = {{"x", "", ""}, {"x", "z", ""}, {"x", "y", "z"}};
+  std::vector<ProfileColumn> columns;
+  const std::size_t n = water(simulation);
+  for (int c = 0; c < scene.dimension; ++c)
+    columns.push_back({axes[scene.dimension - 1][c], "m", {simulation.store().data("position", c), n}});
+  for (const auto& name : simulation.shown_fields()) {
+    const Field* field = simulation.store().find(name);
+    if (field == nullptr) continue;
+    for (const auto& [column, c] : columns_of(*field, scene.dimension)) {
+      columns.push_back({column, field->description.unit, {simulation.store().data(name, c), n}});
+    }
+  }
+  std::vector<ExactField> exact;
+  if (comparison != nullptr) exact = comparison->at_particles(simulation);
+  for (const auto& field : exact) columns.push_back({field.name + "_exact", field.unit, field.exact});
+  write_profile(path, {scene.name, simulation.time()}, columns);
+}
+
+std::filesystem::path draw_run(const std::filesystem::path& folder, Simulation& simulation,
+                               const Comparison* comparison, const InitialState& initial) {
+  const Case& scene = simulation.scene();
+  const std::string title =
+      (scene.title.empty() ? scene.name : scene.title) + fmt::format(", t = {:.6g} s", simulation.time());
+  PictureResult result;
+  if (scene.dimension == 1) {
+    LinePicture picture{title, "x [m]", {}};
+    std::map<std::string, std::vector<double>> lines;
+    std::vector<double> fine;
+    if (comparison != nullptr) {
+      constexpr int points = 4000;
+      for (int k = 0; k <= points; ++k) fine.push_back(scene.lower[0] + (scene.upper[0] - scene.lower[0]) * k / points);
+      lines = comparison->along(fine, simulation.time());
+    }
+    for (const auto& name : simulation.shown_fields()) {
+      const Field* field = simulation.store().find(name);
+      if (field == nullptr) continue;
+      for (const auto& [column, c] : columns_of(*field, 1)) {
+        Panel panel{
+            fmt::format("{} [{}]", column, field->description.unit == "m.s-1" ? "m/s" : field->description.unit), {}};
+        const auto before = initial.fields.find(column);
+        if (before != initial.fields.end())
+          panel.series.push_back({"initial", SeriesStyle::initial, initial.x, before->second});
+        const auto line = lines.find(column);
+        if (line != lines.end())
+          panel.series.push_back(
+              {"exact (" + scene.reference->plugin.id + ")", SeriesStyle::exact, fine, line->second});
+        panel.series.push_back(
+            {"computed", SeriesStyle::computed, values_of(simulation, "position", 0), values_of(simulation, name, c)});
+        picture.panels.push_back(std::move(panel));
+      }
+    }
+    result = draw(folder, picture);
+  } else {
+    FieldPicture picture{title,
+                         "x [m]",
+                         scene.dimension == 2 ? "z [m]" : "y [m]",
+                         "",
+                         values_of(simulation, "position", 0),
+                         values_of(simulation, "position", 1),
+                         {},
+                         0};
+    const auto shown = simulation.shown_fields();
+    const std::string name =
+        std::find(shown.begin(), shown.end(), "velocity") != shown.end() || shown.empty() ? "velocity" : shown.front();
+    const Field* field = simulation.store().find(name);
+    if (field == nullptr) return "no field to draw";
+    picture.value.assign(water(simulation), 0.0);
+    for (const auto& component : field->component) {
+      for (std::size_t i = 0; i < picture.value.size(); ++i)
+        picture.value[i] += component.data()[i] * component.data()[i];
+    }
+    for (double& v : picture.value) v = std::sqrt(v);
+    picture.value_label =
+        fmt::format("{}{} [{}]", field->component.size() > 1 ? "size of " : "", name, field->description.unit);
+    picture.spacing = scene.placement.spacing;
+    result = draw(folder, picture);
+  }
+  return result.drawn ? folder / "picture.png" : std::filesystem::path(result.message);
+}
+
+RunRecord make_record(Simulation& simulation, const Registry& registry, const Comparison* comparison,
+                      const RunReport& report) {
+  const Case& scene = simulation.scene();
+  RunRecord record;
+  record.case_name = scene.name;
+  record.title = scene.title;
+  record.time = simulation.time();
+  record.steps = simulation.steps();
+  record.particles = simulation.store().owned();
+  record.wall_seconds = report.wall_seconds;
+  record.cpu_seconds = report.cpu_seconds;
+  const double seconds = std::max(1e-9, report.cpu_seconds);
+  record.particle_steps_per_second = static_cast<double>(simulation.particle_steps()) / seconds;
+  record.evaluations_per_second = static_cast<double>(simulation.evaluator().evaluations()) / seconds;
+  for (const auto& name : simulation.shown_fields()) {
+    const Field* field = simulation.store().find(name);
+    if (field == nullptr) continue;
+    for (const auto& [column, c] : columns_of(*field, scene.dimension))
+      record.extrema[column] = extrema(values_of(simulation, name, c));
+  }
+  if (comparison != nullptr && report.failure.empty())
+    record.errors = comparison->errors(simulation, comparison->at_particles(simulation));
+  const auto& ledger = simulation.boundaries().ledger();
+  const int conserved = simulation.graph().conserved();
+  const bool is_mass =
+      conserved >= 0 &&
+      simulation.graph().fields()[static_cast<std::size_t>(conserved)].description.unit.find("kg") != std::string::npos;
+  const double to_mass = is_mass ? 1.0 : scene.density;
+  record.mass = {to_mass * ledger.initial, to_mass * ledger.in, to_mass * ledger.out,
+                 to_mass * simulation.boundaries().inside()};
+  record.momentum.initial = report.momentum_initial;
+  record.momentum.final = simulation.momentum();
+  for (double& p : record.momentum.initial) p *= to_mass;
+  for (double& p : record.momentum.final) p *= to_mass;
+  if (conserved >= 0 && simulation.store().find("velocity") != nullptr) {
+    const double* amount = simulation.store().data(simulation.graph().name(conserved));
+    for (std::size_t i = 0; i < water(simulation); ++i) {
+      double u2 = 0;
+      for (int c = 0; c < scene.dimension; ++c) u2 += std::pow(simulation.store().data("velocity", c)[i], 2);
+      record.momentum.scale += to_mass * amount[i] * std::sqrt(u2);
+    }
+  }
+  record.limits = report.limits;
+  record.overrides = scene.overrides;
+  record.manifest = scene.effective;
+  record.resumed_from = report.resumed_from;
+  record.threads = omp_get_max_threads();
+  record.neighbours = neighbour_statistics(simulation);
+  record.bytes_per_particle =
+      static_cast<double>(simulation.bytes()) / std::max<double>(1, static_cast<double>(record.particles));
+  record.seconds.list = simulation.evaluator().list_seconds();
+  record.seconds.sweeps = simulation.evaluator().sweep_seconds();
+  record.seconds.output = report.output_seconds;
+  record.seconds.integrate = std::max(0.0, report.wall_seconds - record.seconds.list - record.seconds.sweeps);
+  const auto add = [&](const PluginChoice& choice) {
+    const Plugin* plugin = registry.plugin(choice.kind, choice.id);
+    if (plugin == nullptr) return;
+    PluginRecord p{choice.slot,
+                   choice.kind,
+                   choice.id,
+                   plugin->description.version,
+                   plugin->description.library_path,
+                   plugin->description.library_hash,
+                   plugin->description.build,
+                   nlohmann::ordered_json::object()};
+    for (const auto& value : choice.values) {
+      if (value.function != nullptr)
+        p.parameters[value.name] = value.function->text();
+      else if (!value.text.empty())
+        p.parameters[value.name] = value.text;
+      else
+        p.parameters[value.name] = value.number;
+    }
+    record.plugins.push_back(std::move(p));
+  };
+  for (const auto& choice : scene.plugins) add(choice);
+  if (scene.reference) add(scene.reference->plugin);
+  const double imbalance = record.mass.imbalance();
+  record.verdicts.push_back({"mass", fmt::format("mass imbalance {:.2e} of what there was", imbalance),
+                             std::abs(imbalance) <= 1e-10 ? Severity::note : Severity::suspect});
+  if (!report.failure.empty()) record.verdicts.push_back({"blew-up", report.failure, Severity::failed});
+  record.status = status_from(record.verdicts);
+  record.message = report.failure;
+  return record;
+}
+
+std::string summary(const RunRecord& record, const Case& scene, const RunReport& report,
+                    const std::filesystem::path& folder) {
+  std::string text = fmt::format("{}: {} at t = {:.6g} s after {} steps, {} particles\n", record.case_name,
+                                 record.status == RunStatus::finished  ? "finished"
+                                 : record.status == RunStatus::suspect ? "suspect"
+                                                                       : "failed",
+                                 record.time, record.steps, record.particles);
+  if (!record.message.empty()) text += "  " + record.message + "\n";
+  for (const auto& verdict : record.verdicts) {
+    if (verdict.severity == Severity::suspect) text += "  suspect: " + verdict.text + "\n";
+  }
+  for (const auto& [field, e] : record.errors) {
+    text += fmt::format("  {} against {}: L2 = {:.4g} (eq. 17), L1 = {:.4g}, Linf = {:.4g}\n", field,
+                        scene.reference->plugin.id, e.l2, e.l1, e.linf);
+  }
+  const double per_step = 1e6 * record.cpu_seconds /
+                          std::max(1.0, static_cast<double>(record.particles) * static_cast<double>(record.steps));
+  text +=
+      fmt::format("  speed: {:.3g} s CPU, {:.3g} s wall, {:.3g} us CPU per particle and step, {} thread{}\n",
+                  record.cpu_seconds, record.wall_seconds, per_step, record.threads, record.threads == 1 ? "" : "s");
+  if (!report.picture.empty()) text += "  picture: " + report.picture.string() + "\n";
+  text += "  record: " + (folder / "run.json").string() + "\n";
+  return text;
+}
+
+nlohmann::json limits_json(const std::map<std::string, StepLimit>& limits) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [name, limit] : limits) json[name] = {limit.steps, limit.smallest};
+  return json;
+}
+
+std::map<std::string, StepLimit> limits_from(const nlohmann::json& json) {
+  std::map<std::string, StepLimit> limits;
+  for (const auto& [name, pair] : json.items())
+    limits[name] = {pair.at(0).get<std::int64_t>(), pair.at(1).get<double>()};
+  return limits;
+}
+
+}  // namespace riffle

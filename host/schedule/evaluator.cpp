@@ -1,0 +1,279 @@
+#include "host/schedule/evaluator.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace riffle {
+
+namespace {
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+}  // namespace
+
+Evaluator::Evaluator(const Graph& graph, ParticleStore& store, Neighbourhood& neighbourhood, RunnerOptions options)
+    : graph_(graph),
+      store_(store),
+      neighbourhood_(neighbourhood),
+      runner_(graph, store, options),
+      stale_(graph.nodes().size(), 1),
+      images_current_(graph.fields().size(), 0),
+      dependents_(graph.fields().size()),
+      next_due_(graph.nodes().size(), 0),
+      position_(graph.field("position")),
+      smoothing_length_(graph.field("smoothing_length")) {
+  for (std::size_t n = 0; n < graph.nodes().size(); ++n) {
+    const Node& node = graph.nodes()[n];
+    if (node.initial) continue;
+    std::vector<int> reads = graph.particle_reads(static_cast<int>(n), false);
+    for (const int f : graph.particle_reads(static_cast<int>(n), true)) reads.push_back(f);
+    for (const int f : reads) {
+      auto& list = dependents_[static_cast<std::size_t>(f)];
+      if (std::find(list.begin(), list.end(), static_cast<int>(n)) == list.end()) list.push_back(static_cast<int>(n));
+    }
+    if (node.pair) neighbourhood.require({node.reach, node.targets, node.sources});
+  }
+}
+
+void Evaluator::changed(int field) {
+  if (field < 0) return;
+  images_current_[static_cast<std::size_t>(field)] = 0;
+  if (field == position_ || field == smoothing_length_) lists_current_ = false;
+  for (const int n : dependents_[static_cast<std::size_t>(field)]) {
+    if (stale_[static_cast<std::size_t>(n)] != 0) continue;
+    stale_[static_cast<std::size_t>(n)] = 1;
+    const Node& node = graph_.nodes()[static_cast<std::size_t>(n)];
+    if (node.occasional) continue;
+    for (const auto& w : node.writes) {
+      if (graph_.fields()[static_cast<std::size_t>(w.field)].pair_source != PairSource::none) continue;
+      for (const int other :
+           graph_.fields()[static_cast<std::size_t>(w.field)].writers) {  // sums are formed anew as a whole
+        if (stale_[static_cast<std::size_t>(other)] == 0) {
+          stale_[static_cast<std::size_t>(other)] = 1;
+          for (const auto& also : graph_.nodes()[static_cast<std::size_t>(other)].writes) {
+            if (also.field != w.field) changed(also.field);
+          }
+        }
+      }
+      changed(w.field);
+    }
+  }
+}
+
+void Evaluator::everything_changed() {
+  std::fill(stale_.begin(), stale_.end(), 1);
+  std::fill(images_current_.begin(), images_current_.end(), 0);
+  lists_current_ = false;
+  neighbourhood_.invalidate();
+  runner_.find_uniform_fields();
+}
+
+void Evaluator::mark_fresh(const std::vector<int>& nodes) {
+  for (const int n : nodes) stale_[static_cast<std::size_t>(n)] = 0;
+}
+
+void Evaluator::collect(int field, bool all, std::vector<char>& wanted) const {
+  if (field < 0) return;
+  for (const int w : graph_.fields()[static_cast<std::size_t>(field)].writers) collect_node(w, all, wanted);
+}
+
+void Evaluator::collect_node(int n, bool all, std::vector<char>& wanted) const {
+  const auto index = static_cast<std::size_t>(n);
+  if (wanted[index] != 0 || (!all && stale_[index] == 0)) return;
+  wanted[index] = 1;
+  const Node& node = graph_.nodes()[index];
+  for (const int d : node.depends) collect_node(d, all, wanted);
+  for (const int p : node.pair_producers) {
+    for (const int d : graph_.nodes()[static_cast<std::size_t>(p)].depends) collect_node(d, all, wanted);
+  }
+  for (const auto& read : node.reads) {
+    if (read.previous) {  // the other passes of an iteration
+      collect(graph_.fields()[static_cast<std::size_t>(read.field)].kernel_bit >= 0 ? smoothing_length_ : read.field,
+              all, wanted);
+    }
+  }
+  for (const auto& w : node.writes) {
+    if (graph_.fields()[static_cast<std::size_t>(w.field)].description.accumulates) collect(w.field, all, wanted);
+  }
+}
+
+const Plan& Evaluator::plan_for(const std::vector<int>& nodes) {
+  auto& plan = plans_[nodes];
+  if (plan == nullptr) plan = std::make_unique<Plan>(make_plan(graph_, nodes));
+  return *plan;
+}
+
+Plan Evaluator::full_plan() const {
+  std::vector<char> wanted(stale_.size(), 0);
+  for (const auto& e : graph_.evolved()) {
+    collect(e.rate, true, wanted);
+    collect(e.damping, true, wanted);
+  }
+  for (const auto& v : graph_.votes()) {
+    for (const int f : v.fields) collect(f, true, wanted);
+  }
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < wanted.size(); ++n) {
+    if (wanted[n] != 0) nodes.push_back(static_cast<int>(n));
+  }
+  return make_plan(graph_, nodes);
+}
+
+void Evaluator::run_initial_passes() {
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
+    if (graph_.nodes()[n].initial) nodes.push_back(static_cast<int>(n));
+  }
+  if (!nodes.empty()) run(plan_for(nodes), 0, 0);
+  everything_changed();
+}
+
+void Evaluator::compute(const std::vector<int>& fields, double time, double dt) {
+  std::vector<char> wanted(stale_.size(), 0);
+  for (const int f : fields) collect(f, false, wanted);
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < wanted.size(); ++n) {
+    if (wanted[n] != 0) nodes.push_back(static_cast<int>(n));
+  }
+  if (nodes.empty()) return;
+  run(plan_for(nodes), time, dt);
+  mark_fresh(nodes);
+}
+
+void Evaluator::run_occasional_passes(std::int64_t step, double time, double dt) {
+  for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
+    const Node& node = graph_.nodes()[n];
+    if (!node.occasional) continue;
+    const bool by_step = node.every > 0 && step % node.every == 0;
+    // due when the last step crossed a multiple of the interval
+    const bool by_time = node.interval > 0 && std::floor(time / node.interval * (1 + 1e-14)) >
+                                                  std::floor((time - dt) / node.interval * (1 + 1e-14));
+    if (!by_step && !by_time) continue;
+    std::vector<char> wanted(stale_.size(), 0);
+    stale_[n] = 1;
+    collect_node(static_cast<int>(n), false, wanted);
+    std::vector<int> nodes;
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (wanted[k] != 0) nodes.push_back(static_cast<int>(k));
+    }
+    run(plan_for(nodes), time, dt);
+    mark_fresh(nodes);
+    for (const auto& w : node.writes) changed(w.field);
+  }
+}
+
+void Evaluator::run(const Plan& plan, double time, double dt) {
+  for (std::size_t s = 0; s < plan.sweeps.size();) {
+    const int iteration = plan.sweeps[s].iteration;
+    if (iteration < 0) {
+      run_sweep(plan, s, time, dt);
+      ++s;
+      continue;
+    }
+    std::size_t end = s;
+    while (end < plan.sweeps.size() && plan.sweeps[end].iteration == iteration) ++end;
+    const Iteration& it = graph_.iterations()[static_cast<std::size_t>(iteration)];
+    const bool judged = it.residual >= 0 && !graph_.fields()[static_cast<std::size_t>(it.residual)].writers.empty();
+    for (std::int64_t k = 0; k < std::max<std::int64_t>(1, judged ? it.maximum : 1); ++k) {
+      for (std::size_t q = s; q < end; ++q) run_sweep(plan, q, time, dt);
+      if (!judged) break;
+      const double* residual = store_.data(graph_.name(it.residual));
+      double largest = 0;
+      for (std::int64_t i = 0; i < store_.role_begin(1); ++i) largest = std::max(largest, std::abs(residual[i]));
+      if (largest <= it.tolerance) break;
+    }
+    s = end;
+  }
+}
+
+void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, double dt) {
+  const Sweep& sweep = plan.sweeps[index];
+  const double start = now();
+  bool pairs = !sweep.groups.empty();
+  if (sweep.global >= 0) {
+    for (const auto& read : graph_.nodes()[static_cast<std::size_t>(sweep.global)].reads) {
+      pairs = pairs || (read.field >= 0 &&
+                        graph_.fields()[static_cast<std::size_t>(read.field)].pair_source != PairSource::none);
+    }
+  }
+  if (pairs && !lists_current_) {
+    if (neighbourhood_.prepare()) std::fill(images_current_.begin(), images_current_.end(), 0);
+    lists_current_ = true;
+  }
+  auto& image_fields = image_fields_[&sweep];
+  if (image_fields.empty() && (!sweep.groups.empty() || sweep.global >= 0)) {
+    for (const int n : sweep.nodes) {
+      for (const int f : graph_.particle_reads(n, true)) image_fields.push_back(f);
+    }
+    for (const int f : {position_, smoothing_length_}) {
+      if (f >= 0 && store_.find(graph_.name(f)) != nullptr) image_fields.push_back(f);
+    }
+    std::sort(image_fields.begin(), image_fields.end());
+    image_fields.erase(std::unique(image_fields.begin(), image_fields.end()), image_fields.end());
+  }
+  for (const int f : image_fields) {
+    if (images_current_[static_cast<std::size_t>(f)] != 0) continue;
+    refresh_images(neighbourhood_.images(), store_, store_.at(graph_.name(f)));
+    images_current_[static_cast<std::size_t>(f)] = 1;
+  }
+  const double prepared = now();
+  list_seconds_ += prepared - start;
+  runner_.run(plan, index, neighbourhood_, neighbourhood_.images(), time, dt);
+  for (const int n : sweep.nodes) {
+    for (const auto& w : graph_.nodes()[static_cast<std::size_t>(n)].writes) {
+      images_current_[static_cast<std::size_t>(w.field)] = 0;
+      if (w.field == smoothing_length_) lists_current_ = false;
+    }
+  }
+  if (!sweep.groups.empty()) evaluations_ += store_.owned();
+  sweep_seconds_ += now() - prepared;
+}
+
+Limit Evaluator::time_step(double cfl, double time, double dt) {
+  std::vector<int> fields;
+  for (const auto& vote : graph_.votes()) fields.insert(fields.end(), vote.fields.begin(), vote.fields.end());
+  compute(fields, time, dt);
+  Limit least{std::numeric_limits<double>::infinity(), "none"};
+  for (const auto& vote : graph_.votes()) {
+    const double limit = runner_.vote(vote, time, dt) * (vote.vote->scaled != 0 ? cfl : 1.0);
+    if (limit < least.dt) least = {limit, vote.label};
+  }
+  return least;
+}
+
+std::string Evaluator::find_culprit() const {
+  for (const auto& node : graph_.nodes()) {
+    if (node.initial || node.occasional) continue;
+    for (const auto& w : node.writes) {
+      const Field* field = store_.find(graph_.name(w.field));
+      if (field == nullptr) continue;
+      for (const auto& array : field->component) {
+        for (std::int64_t i = 0; i < store_.owned(); ++i) {
+          if (std::isfinite(array.data()[i]) || (node.targets & (1u << store_.role_of(i))) == 0) continue;
+          if (w.how == RIFFLE_MIN || w.how == RIFFLE_MAX) continue;
+          std::string where = "x = " + std::to_string(store_.data("position")[i]) + " m";
+          for (int c = 1; c < store_.dim(); ++c) where += ", " + std::to_string(store_.data("position", c)[i]);
+          return node.label + " gave " + (std::isnan(array.data()[i]) ? "NaN" : "an infinite value") + " for " +
+                 graph_.name(w.field) + " at particle " + std::to_string(store_.ids()[static_cast<std::size_t>(i)]) +
+                 ", " + where;
+        }
+      }
+    }
+  }
+  return "";
+}
+
+std::vector<int> Evaluator::history_nodes() const {
+  std::vector<int> out;
+  for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
+    const Node& node = graph_.nodes()[n];
+    const bool previous =
+        std::any_of(node.reads.begin(), node.reads.end(), [](const NodeRead& r) { return r.previous; });
+    if (!node.initial && !node.occasional && (node.iteration >= 0 || previous)) out.push_back(static_cast<int>(n));
+  }
+  return out;
+}
+
+}  // namespace riffle

@@ -1,0 +1,132 @@
+#include "host/schedule/neighbourhood.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace riffle {
+
+namespace {
+constexpr std::int64_t builds_between_sorts = 8;  // order in memory decays slowly; sorting costs a third of a build
+
+bool same(const NeighbourRequest& a, const NeighbourRequest& b) {
+  return a.reach == b.reach && a.targets == b.targets && a.sources == b.sources;
+}
+}  // namespace
+
+Neighbourhood::Neighbourhood(ParticleStore& store, double kappa, double skin,
+                             std::function<void(std::vector<Image>&)> make_images)
+    : store_(store), kappa_(kappa), skin_(store.dim() == 1 ? 0.0 : skin), make_images_(std::move(make_images)) {}
+
+void Neighbourhood::require(const NeighbourRequest& request) {
+  for (const auto& entry : lists_) {
+    if (same(entry->request, request)) return;
+  }
+  lists_.push_back(std::make_unique<Entry>());
+  lists_.back()->request = request;
+  valid_ = false;
+}
+
+const NeighbourList& Neighbourhood::list(const NeighbourRequest& request) const {
+  for (const auto& entry : lists_) {
+    if (same(entry->request, request)) return entry->list;
+  }
+  throw std::logic_error("a neighbour list was asked for that no pass declares");
+}
+
+double Neighbourhood::reach(std::int64_t i) const {
+  return kappa_ * (1 + skin_) * store_.data("smoothing_length")[i];
+}
+
+ParticleView Neighbourhood::view() const {
+  ParticleView view;
+  view.dim = store_.dim();
+  view.owned = store_.owned();
+  view.all = store_.all();
+  for (int c = 0; c < store_.dim(); ++c) view.x[c] = store_.data("position", c);
+  view.l = store_.data("smoothing_length");
+  view.role = role_.empty() ? nullptr : role_.data();
+  return view;
+}
+
+bool Neighbourhood::still_valid() const {
+  if (!valid_ || store_.dim() == 1) return false;
+  return std::all_of(lists_.begin(), lists_.end(), [&](const auto& entry) { return entry->check.valid(view()); });
+}
+
+bool Neighbourhood::prepare() {
+  if (still_valid()) return false;
+  if (store_.dim() > 1 && state_.builds % builds_between_sorts == 0) sort();
+  const auto n = static_cast<std::size_t>(store_.owned());
+  for (int c = 0; c < store_.dim(); ++c) state_.x[c].assign(store_.data("position", c), store_.data("position", c) + n);
+  state_.l.assign(store_.data("smoothing_length"), store_.data("smoothing_length") + n);
+  ++state_.builds;
+  build();
+  return true;
+}
+
+void Neighbourhood::sort() {
+  store_.resize_images(0);
+  role_.clear();
+  if (store_.role_begin(1) != store_.owned()) {
+    role_.resize(static_cast<std::size_t>(store_.owned()));
+    for (int r = 0; r < role_count; ++r) {
+      std::fill(role_.begin() + store_.role_begin(r), role_.begin() + store_.role_begin(r + 1),
+                static_cast<std::uint8_t>(r));
+    }
+  }
+  const double* l = store_.data("smoothing_length");
+  const double largest = store_.owned() > 0 ? *std::max_element(l, l + store_.owned()) : 0;
+  if (largest > 0) store_.permute(cell_order(view(), kappa_ * largest));
+}
+
+void Neighbourhood::build() {
+  images_.clear();
+  store_.resize_images(0);
+  if (make_images_) make_images_(images_);
+  store_.resize_images(static_cast<std::int64_t>(images_.size()));
+  refresh_images(images_, store_, store_.at("position"));
+  refresh_images(images_, store_, store_.at("smoothing_length"));
+  role_.clear();
+  if (store_.role_begin(1) != store_.owned()) {
+    role_.resize(static_cast<std::size_t>(store_.all()));
+    for (int r = 0; r < role_count; ++r) {
+      std::fill(role_.begin() + store_.role_begin(r), role_.begin() + store_.role_begin(r + 1),
+                static_cast<std::uint8_t>(r));
+    }
+    for (std::size_t k = 0; k < images_.size(); ++k)
+      role_[static_cast<std::size_t>(store_.owned()) + k] = role_[static_cast<std::size_t>(images_[k].origin)];
+  }
+  for (auto& entry : lists_) {
+    riffle::build(view(), kappa_, skin_, entry->request, entry->list);
+    if (store_.dim() > 1) entry->check.remember(view(), kappa_, skin_, entry->request);
+  }
+  valid_ = true;
+}
+
+void Neighbourhood::restore(const NeighbourhoodState& state) {
+  state_ = state;
+  const auto n = static_cast<std::size_t>(store_.owned());
+  if (state_.builds == 0 || state_.l.size() != n) return;
+  std::vector<double> now[3], l_now(store_.data("smoothing_length"), store_.data("smoothing_length") + n);
+  for (int c = 0; c < store_.dim(); ++c) {
+    double* x = store_.data("position", c);
+    now[c].assign(x, x + n);
+    std::copy(state_.x[c].begin(), state_.x[c].end(), x);
+  }
+  std::copy(state_.l.begin(), state_.l.end(), store_.data("smoothing_length"));
+  build();
+  for (int c = 0; c < store_.dim(); ++c) std::copy(now[c].begin(), now[c].end(), store_.data("position", c));
+  std::copy(l_now.begin(), l_now.end(), store_.data("smoothing_length"));
+}
+
+std::size_t Neighbourhood::bytes() const {
+  std::size_t sum = images_.size() * sizeof(Image) + role_.size() +
+                    (state_.x[0].size() + state_.x[1].size() + state_.x[2].size() + state_.l.size()) * sizeof(double);
+  for (const auto& entry : lists_) {
+    sum += entry->list.begin.size() * 8 + entry->list.count.size() * 4 +
+           static_cast<std::size_t>(entry->list.neighbour.size()) * 4;
+  }
+  return sum;
+}
+
+}  // namespace riffle

@@ -1,0 +1,69 @@
+// Who is near whom: keeps images and neighbour lists in step with the particles.
+//
+// Lists are built with a skin and kept until some particle may have crossed it; in one dimension, where building is as
+// cheap as checking, they are rebuilt whenever particles have moved. Lists and images are a pure function of particle
+// order and of positions and smoothing lengths at the last build; those are kept for checkpoints, so that a resumed run
+// sums in the same order.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "host/neighbours/neighbours.hpp"
+#include "host/neighbours/verlet.hpp"
+#include "host/schedule/images.hpp"
+#include "host/schedule/runner.hpp"
+
+namespace riffle {
+
+struct NeighbourhoodState {  // what a checkpoint holds of it
+  std::vector<double> x[3], l;
+  std::int64_t builds = 0;
+};
+
+class Neighbourhood : public ListProvider {
+ public:
+  // `kappa`: support of the kernel in smoothing lengths. `make_images` asks boundaries for images; may be empty.
+  Neighbourhood(ParticleStore& store, double kappa, double skin, std::function<void(std::vector<Image>&)> make_images);
+
+  void require(const NeighbourRequest& request);
+  // Makes lists valid for the current positions and smoothing lengths. True when they were rebuilt, and with them the
+  // images; owned particles may then have a new order.
+  bool prepare();
+  // Particles were added, removed or retagged: the next prepare() rebuilds.
+  void invalidate() { valid_ = false; }
+
+  [[nodiscard]] const NeighbourList& list(const NeighbourRequest& request) const override;
+  [[nodiscard]] const std::vector<Image>& images() const { return images_; }
+  [[nodiscard]] double reach(std::int64_t i) const;  // how far particle i must see, skin included
+  [[nodiscard]] std::int64_t builds() const { return state_.builds; }
+  [[nodiscard]] std::size_t bytes() const;
+
+  [[nodiscard]] const NeighbourhoodState& state() const { return state_; }
+  // Restores lists and images as they were; current positions and smoothing lengths stay untouched.
+  void restore(const NeighbourhoodState& state);
+
+ private:
+  void build();
+  void sort();
+  [[nodiscard]] bool still_valid() const;
+  [[nodiscard]] ParticleView view() const;
+
+  struct Entry {
+    NeighbourRequest request;
+    NeighbourList list;
+    VerletCheck check;
+  };
+  ParticleStore& store_;
+  double kappa_, skin_;
+  std::function<void(std::vector<Image>&)> make_images_;
+  std::vector<std::unique_ptr<Entry>> lists_;
+  std::vector<Image> images_;
+  std::vector<std::uint8_t> role_;
+  NeighbourhoodState state_;
+  bool valid_ = false;
+};
+
+}  // namespace riffle

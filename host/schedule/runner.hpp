@@ -1,0 +1,76 @@
+// Runs sweeps over the particle store on all cores.
+//
+// Work is cut into fixed chunks of particles and, for pair passes, into blocks of some tens of pairs whose arrays stay
+// in the first-level cache. Each particle's sums are formed by one thread in list order, so results do not depend on
+// the number of threads, the chunk or the block.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/schedule/images.hpp"
+#include "host/schedule/layout.hpp"
+#include "host/schedule/plan.hpp"
+#include "host/schedule/run_error.hpp"
+
+namespace riffle {
+
+struct RunnerOptions {
+  std::int64_t chunk = 256;  // particles
+  std::int64_t block = 0;    // pairs; 0: what fits the cache
+};
+
+// Where the lists come from; the neighbourhood implements it.
+class ListProvider {
+ public:
+  virtual ~ListProvider() = default;
+  [[nodiscard]] virtual const NeighbourList& list(const NeighbourRequest& request) const = 0;
+};
+
+class Runner {
+ public:
+  Runner(const Graph& graph, ParticleStore& store, RunnerOptions options);
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  // Runs one sweep. Images of what it reads of neighbours must be current. Throws RunError naming plugin and pass.
+  void run(const Plan& plan, std::size_t sweep, const ListProvider& lists, const std::vector<Image>& images,
+           double time, double dt);
+  // Smallest limit over the particles of a vote.
+  double vote(const GraphVote& vote, double time, double dt);
+  // Attribute fields with one value for all particles need no gather; call when attributes have changed.
+  void find_uniform_fields();
+  void forget_plans();
+  [[nodiscard]] const std::vector<AlignedArray>& kept(int field) const { return kept_.at(field); }
+
+ private:
+  struct Group;
+  struct Compiled;
+  Compiled& compile(const Plan& plan, std::size_t sweep);
+  std::set<std::pair<int, int>> who_overwrites(const Plan& plan, std::size_t index,
+                                               std::vector<int>& zero_fields) const;
+  void pack(Group& group);
+  void run_group(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
+  void run_particles(const Node& node, bool zero, std::int64_t first, std::int64_t last, double time, double dt);
+  void run_global(const Node& node, const ListProvider& lists, const std::vector<Image>& images, double time,
+                  double dt);
+  void fail(const Node& node, const std::string& message);
+  [[nodiscard]] const Node& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] const double* source(const Source& s) const;
+
+  const Graph& graph_;
+  ParticleStore& store_;
+  RunnerOptions options_;
+  std::vector<char> uniform_;
+  std::vector<Field*> field_;  // of the store, by graph index; nullptr for per-pair fields
+  std::map<std::pair<const Plan*, std::size_t>, std::unique_ptr<Compiled>> compiled_;
+  std::map<int, std::vector<AlignedArray>> kept_;
+  AlignedArray inverse_l_;
+  std::string failure_;
+};
+
+}  // namespace riffle

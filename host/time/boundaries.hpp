@@ -1,0 +1,45 @@
+// Boundaries at work: calls the plugins that create, retag, move and remove particles between steps, and those that ask
+// for images, and keeps the mass ledger of what they do.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/schedule/evaluator.hpp"
+
+namespace riffle {
+
+struct Ledger {  // in the unit of the conserved field, water alone
+  double initial = 0, in = 0, out = 0;
+};
+
+class Boundaries {
+ public:
+  Boundaries(const Graph& graph, ParticleStore& store);
+
+  void connect(Evaluator& evaluator, Neighbourhood& neighbourhood);
+  void begin(double time);                  // once
+  bool edit(double time, double dt);        // after each step; true when particles came, went or changed role
+  void images(std::vector<Image>& images);  // at each new list
+  [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+  [[nodiscard]] Ledger& ledger() { return ledger_; }
+  [[nodiscard]] double inside() const;  // conserved amount in the water
+  [[nodiscard]] std::vector<double>& state(std::size_t plugin) { return state_[plugin]; }
+  [[nodiscard]] std::int64_t& next_id() { return next_id_; }
+
+ private:
+  struct Context;
+  enum class Call { begin, edit, images };
+  bool call(Call which, double time, double dt, std::vector<Image>* images);
+  void apply(Context& context);
+
+  const Graph& graph_;
+  ParticleStore& store_;
+  Evaluator* evaluator_ = nullptr;
+  Neighbourhood* neighbourhood_ = nullptr;
+  std::vector<std::vector<double>> state_;  // per plugin of the graph
+  Ledger ledger_;
+  std::int64_t next_id_ = 0;
+};
+
+}  // namespace riffle

@@ -1,0 +1,255 @@
+#include "host/time/simulation.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "host/particles/placement.hpp"
+
+namespace riffle {
+
+Simulation::Simulation(const Case& scene, const Registry& registry, const SimulationOptions& options)
+    : case_(scene), options_(options), store_(scene.dimension) {
+  omp_set_num_threads(options.threads > 0 ? options.threads : omp_get_num_procs());
+  std::vector<ActivePlugin> active;
+  std::vector<std::string> given;
+  for (const auto& [field, functions] : scene.initial) given.push_back(field);
+  for (const auto& choice : scene.plugins) {
+    const Plugin* plugin = registry.plugin(choice.kind, choice.id);
+    if (plugin == nullptr) throw std::runtime_error("there is no " + choice.kind + " \"" + choice.id + "\"");
+    instances_.push_back(std::make_unique<PluginInstance>(*plugin, scene.dimension, choice.values));
+    active.push_back({choice.slot, choice.id, choice.kind, &instances_.back()->table(), instances_.back()->self(),
+                      choice.values, false});
+    const auto* table = active.back().table;
+    for (auto e = table->evolved; e != nullptr && *e != nullptr;
+         ++e) {  // evolved initial fields start from 0 unless given
+      for (auto f = table->initial; f != nullptr && *f != nullptr; ++f) {
+        if (std::string((*f)->name) == (*e)->field->name) given.emplace_back((*f)->name);
+      }
+    }
+  }
+  graph_ = std::make_unique<Graph>(scene.dimension, active, given, scene.output.fields);
+  place_particles();
+  add_fields();
+  riffle_kernel kernel{};
+  if (graph_->kernel() >= 0) {
+    const auto& plugin = graph_->plugins()[static_cast<std::size_t>(graph_->kernel())];
+    plugin.table->kernel(plugin.self, &kernel);
+  }
+  boundaries_ = std::make_unique<Boundaries>(*graph_, store_);
+  neighbourhood_ = std::make_unique<Neighbourhood>(store_, kernel.support, options.skin,
+                                                   [this](std::vector<Image>& images) { boundaries_->images(images); });
+  integrator_ = make_integrator(scene.time.integrator, *graph_, store_, scene.time.drag_implicit);
+  evaluator_ = std::make_unique<Evaluator>(*graph_, store_, *neighbourhood_, options.runner);
+  boundaries_->connect(*evaluator_, *neighbourhood_);
+  evaluator_->run_initial_passes();
+  boundaries_->begin(0);
+}
+
+void Simulation::place_particles() {
+  const PlacedParticles placed = place(case_);
+  const auto n = static_cast<std::int64_t>(placed.cell_measure.size());
+  for (const char* name : {"position", "cell_measure"}) {
+    store_.add_field(graph_->fields()[static_cast<std::size_t>(graph_->field(name))].description, FieldUse::evolved);
+  }
+  store_.resize_owned({n, 0, 0, 0, 0, 0});
+  for (std::int64_t i = 0; i < n; ++i) store_.ids()[static_cast<std::size_t>(i)] = i;
+  for (int c = 0; c < case_.dimension; ++c) {
+    std::copy(placed.x[static_cast<std::size_t>(c)].begin(), placed.x[static_cast<std::size_t>(c)].end(),
+              store_.data("position", c));
+  }
+  std::copy(placed.cell_measure.begin(), placed.cell_measure.end(), store_.data("cell_measure"));
+}
+
+void Simulation::add_fields() {
+  for (const auto& field : graph_->fields()) {
+    if (field.pair_source != PairSource::none) continue;
+    const bool used = field.given || field.evolved || !field.writers.empty() || !field.initial_writers.empty();
+    if (!used) continue;
+    const FieldUse use = field.evolved     ? FieldUse::evolved
+                         : field.attribute ? FieldUse::attribute
+                         : field.carried   ? FieldUse::carried
+                                           : FieldUse::derived;
+    store_.add_field(field.description, use).use = use;
+  }
+  const auto n = store_.owned();
+  const double* x = store_.data("position", 0);
+  const double* z = case_.dimension > 1 ? store_.data("position", case_.dimension - 1) : nullptr;
+  const double* y = case_.dimension == 3 ? store_.data("position", 1) : nullptr;
+  for (const auto& [name, functions] : case_.initial) {
+    Field* field = store_.find(name);
+    if (field == nullptr) continue;  // nobody in this case uses it
+    for (std::size_t c = 0; c < functions.size() && c < field->component.size(); ++c) {
+      functions[c].evaluate(n, x, y, z, 0, field->component[c].data());
+    }
+  }
+}
+
+StepReport Simulation::step(double until) {
+  StepReport report;
+  const TimeControl& control = case_.time;
+  Limit limit{control.fixed_step.value_or(0), "fixed step"};
+  if (!control.fixed_step) {
+    limit = evaluator_->time_step(control.cfl, time_, last_dt_);
+    if (control.max_step > 0 && limit.dt > control.max_step) limit = {control.max_step, "max_step"};
+  }
+  if (!(limit.dt > 0)) throw RunError("the time step is " + std::to_string(limit.dt) + " s, limited by " + limit.name);
+  if (!std::isfinite(limit.dt)) {
+    throw RunError("nothing limits the time step; give time.step or time.max_step");
+  }
+  const double left = until - time_;
+  report = {limit.dt, limit.name};
+  bool reaches = false;
+  if (limit.dt >= left) {
+    report = {left, "output time"};
+    reaches = true;
+  } else if (2 * limit.dt > left) {  // two equal steps rather than one and a sliver
+    report = {0.5 * left, "output time"};
+  }
+  if (time_ + report.dt == time_)
+    throw RunError("the time step of " + std::to_string(report.dt) + " s, limited by " + report.limiter +
+                   ", no longer advances the time");
+  integrator_->step(*evaluator_, time_, report.dt);
+  time_ = reaches ? until : time_ + report.dt;
+  last_dt_ = report.dt;
+  ++steps_;
+  particle_steps_ += store_.owned();
+  boundaries_->edit(time_, report.dt);
+  evaluator_->run_occasional_passes(steps_, time_, report.dt);
+  return report;
+}
+
+std::vector<double> Simulation::momentum() const {
+  std::vector<double> sum(static_cast<std::size_t>(store_.dim()), 0.0);
+  if (graph_->conserved() < 0 || store_.find("velocity") == nullptr) return sum;
+  const double* amount = store_.data(graph_->name(graph_->conserved()));
+  for (int c = 0; c < store_.dim(); ++c) {
+    const double* u = store_.data("velocity", c);
+    long double total = 0;
+    for (std::int64_t i = 0; i < store_.role_begin(1); ++i) total += static_cast<long double>(amount[i]) * u[i];
+    sum[static_cast<std::size_t>(c)] = static_cast<double>(total);
+  }
+  return sum;
+}
+
+void Simulation::refresh(const std::vector<std::string>& fields) {
+  std::vector<int> wanted;
+  for (const auto& name : fields) {
+    const int f = graph_->field(name);
+    if (f >= 0) wanted.push_back(f);
+  }
+  evaluator_->compute(wanted, time_, last_dt_);
+}
+
+std::vector<std::string> Simulation::shown_fields() const {
+  if (!case_.output.fields.empty()) return case_.output.fields;
+  std::vector<std::string> shown;
+  for (const auto& [name, field] : store_.fields()) {
+    const int f = graph_->field(name);
+    if (f < 0 || name == "position" || name == "cell_measure") continue;
+    const auto& graph_field = graph_->fields()[static_cast<std::size_t>(f)];
+    const bool varies = !graph_field.attribute;
+    if (graph_field.evolved || (graph_field.given && varies)) shown.push_back(name);
+  }
+  return shown;
+}
+
+std::vector<std::string> Simulation::saved_fields() const {
+  std::set<std::string> names;
+  for (const auto& [name, field] : store_.fields()) {
+    if (field->use != FieldUse::derived) names.insert(name);
+  }
+  for (const int f : integrator_->carried()) names.insert(graph_->name(f));
+  for (const int n : evaluator_->history_nodes()) {
+    for (const auto& w : graph_->nodes()[static_cast<std::size_t>(n)].writes) {
+      if (store_.find(graph_->name(w.field)) != nullptr) names.insert(graph_->name(w.field));
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+SimulationState Simulation::state() const {
+  SimulationState s;
+  const auto n = static_cast<std::size_t>(store_.owned());
+  for (const auto& name : saved_fields()) {
+    const Field& field = store_.at(name);
+    for (std::size_t c = 0; c < field.component.size(); ++c) {
+      const double* values = field.component[c].data();
+      s.reals["field." + name + "." + std::to_string(c)].assign(values, values + n);
+    }
+  }
+  s.integers["ids"] = store_.ids();
+  auto& roles = s.integers["particles_per_role"];
+  for (int r = 0; r < role_count; ++r) roles.push_back(store_.role_begin(r + 1) - store_.role_begin(r));
+  const NeighbourhoodState& lists = neighbourhood_->state();
+  for (int c = 0; c < store_.dim(); ++c) s.reals["list.position." + std::to_string(c)] = lists.x[c];
+  s.reals["list.smoothing_length"] = lists.l;
+  for (std::size_t p = 0; p < graph_->plugins().size(); ++p) {
+    const auto& numbers = boundaries_->state(p);
+    if (!numbers.empty()) s.reals["plugin." + graph_->plugins()[p].slot] = numbers;
+  }
+  const Ledger& ledger = boundaries_->ledger();
+  s.reals["time"] = {time_, last_dt_};
+  s.reals["ledger"] = {ledger.initial, ledger.in, ledger.out};
+  s.integers["counters"] = {steps_, particle_steps_, lists.builds, boundaries_->next_id()};
+  return s;
+}
+
+void Simulation::restore(const SimulationState& s) {
+  const auto reals = [&](const std::string& name) -> const std::vector<double>& {
+    const auto found = s.reals.find(name);
+    if (found == s.reals.end())
+      throw std::runtime_error("the checkpoint holds no \"" + name + "\": it is not of this case");
+    return found->second;
+  };
+  const auto integers = [&](const std::string& name) -> const std::vector<std::int64_t>& {
+    const auto found = s.integers.find(name);
+    if (found == s.integers.end())
+      throw std::runtime_error("the checkpoint holds no \"" + name + "\": it is not of this case");
+    return found->second;
+  };
+  std::array<std::int64_t, role_count> per_role{};
+  const auto& roles = integers("particles_per_role");
+  if (roles.size() != role_count)
+    throw std::runtime_error("the checkpoint holds other particle roles than this program knows");
+  std::copy(roles.begin(), roles.end(), per_role.begin());
+  store_.resize_owned(per_role);
+  const auto n = static_cast<std::size_t>(store_.owned());
+  if (integers("ids").size() != n)
+    throw std::runtime_error("the checkpoint contradicts itself: its ids do not match its particles");
+  store_.ids() = integers("ids");
+  for (const auto& name : saved_fields()) {
+    Field& field = store_.at(name);
+    for (std::size_t c = 0; c < field.component.size(); ++c) {
+      const auto& values = reals("field." + name + "." + std::to_string(c));
+      if (values.size() != n)
+        throw std::runtime_error("the checkpoint holds " + std::to_string(values.size()) + " values of " + name +
+                                 " for " + std::to_string(n) + " particles");
+      std::copy(values.begin(), values.end(), field.component[c].data());
+    }
+  }
+  for (std::size_t p = 0; p < graph_->plugins().size(); ++p) {
+    auto& numbers = boundaries_->state(p);
+    if (!numbers.empty()) numbers = reals("plugin." + graph_->plugins()[p].slot);
+  }
+  const auto& counters = integers("counters");
+  time_ = reals("time").at(0);
+  last_dt_ = reals("time").at(1);
+  boundaries_->ledger() = {reals("ledger").at(0), reals("ledger").at(1), reals("ledger").at(2)};
+  steps_ = counters.at(0);
+  particle_steps_ = counters.at(1);
+  boundaries_->next_id() = counters.at(3);
+  evaluator_->everything_changed();
+  NeighbourhoodState lists;
+  for (int c = 0; c < store_.dim(); ++c) lists.x[c] = reals("list.position." + std::to_string(c));
+  lists.l = reals("list.smoothing_length");
+  lists.builds = counters.at(2);
+  neighbourhood_->restore(lists);
+  evaluator_->mark_fresh(evaluator_->history_nodes());
+  integrator_->resumed();
+}
+
+}  // namespace riffle

@@ -1,0 +1,84 @@
+// One running case: particles, plugins, schedule, integrator and boundaries together, and its state for checkpoints.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/manifest/case.hpp"
+#include "host/plugins/instance.hpp"
+#include "host/plugins/registry.hpp"
+#include "host/schedule/evaluator.hpp"
+#include "host/time/boundaries.hpp"
+#include "host/time/integrator.hpp"
+
+namespace riffle {
+
+struct SimulationOptions {
+  int threads = 0;    // 0: all cores
+  double skin = 0.1;  // of neighbour lists, fraction of the support; 2D and 3D
+  RunnerOptions runner;
+};
+
+// All that a later process needs to go on bit by bit.
+struct SimulationState {
+  std::map<std::string, std::vector<double>> reals;
+  std::map<std::string, std::vector<std::int64_t>> integers;
+};
+
+struct StepReport {
+  double dt = 0;
+  std::string limiter;  // "swe-standard: acoustic", "output time", "fixed step", ...
+};
+
+class Simulation {
+ public:
+  // Throws PluginError, ScheduleError or std::runtime_error with whole sentences when the case cannot be run.
+  Simulation(const Case& scene, const Registry& registry, const SimulationOptions& options = {});
+
+  // One step, at most to `until`. Throws RunError when the run cannot go on; the particles then show the last state.
+  StepReport step(double until);
+
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] const Case& scene() const { return case_; }
+  [[nodiscard]] ParticleStore& store() { return store_; }
+  [[nodiscard]] const ParticleStore& store() const { return store_; }
+  [[nodiscard]] const Graph& graph() const { return *graph_; }
+  [[nodiscard]] Evaluator& evaluator() { return *evaluator_; }
+  [[nodiscard]] const Neighbourhood& neighbourhood() const { return *neighbourhood_; }
+  [[nodiscard]] Boundaries& boundaries() { return *boundaries_; }
+  [[nodiscard]] std::size_t bytes() const { return store_.bytes() + neighbourhood_->bytes(); }
+  [[nodiscard]] std::int64_t particle_steps() const { return particle_steps_; }
+  // Sum of conserved amount times velocity over the water, per axis.
+  [[nodiscard]] std::vector<double> momentum() const;
+  // Brings derived fields up to date for output.
+  void refresh(const std::vector<std::string>& fields);
+  // Fields that output shows when the manifest does not say: initial and evolved ones, position excluded.
+  [[nodiscard]] std::vector<std::string> shown_fields() const;
+
+  [[nodiscard]] SimulationState state() const;
+  // Throws std::runtime_error with one sentence when the state is not of this case.
+  void restore(const SimulationState& state);
+
+ private:
+  void place_particles();
+  void add_fields();
+  [[nodiscard]] std::vector<std::string> saved_fields() const;
+
+  const Case& case_;
+  SimulationOptions options_;
+  ParticleStore store_;
+  std::vector<std::unique_ptr<PluginInstance>> instances_;
+  std::unique_ptr<Graph> graph_;
+  std::unique_ptr<Neighbourhood> neighbourhood_;
+  std::unique_ptr<Evaluator> evaluator_;
+  std::unique_ptr<Integrator> integrator_;
+  std::unique_ptr<Boundaries> boundaries_;
+  double time_ = 0, last_dt_ = 0;
+  std::int64_t steps_ = 0, particle_steps_ = 0;
+};
+
+}  // namespace riffle
