@@ -27,10 +27,11 @@ struct MirrorWall {
       riffle::boolean("z_max", false, "the face at the largest z is a wall (two and three dimensions)"),
       riffle::real("x_min_position", "m", 0, -1e6, 1e6, "where that wall stands", 0, "domain.x_min"),
       riffle::real("x_max_position", "m", 1, -1e6, 1e6, "where that wall stands", 0, "domain.x_max"),
-      riffle::real("y_min_position", "m", 0, -1e6, 1e6, "where that wall stands", 0, "domain.y_min"),
-      riffle::real("y_max_position", "m", 1, -1e6, 1e6, "where that wall stands", 0, "domain.y_max"),
-      riffle::real("z_min_position", "m", 0, -1e6, 1e6, "where that wall stands", 0, "domain.z_min"),
-      riffle::real("z_max_position", "m", 1, -1e6, 1e6, "where that wall stands", 0, "domain.z_max")};
+      // No defaults from the domain for the axes that not every dimension has: a manifest cannot inherit what is not.
+      riffle::real("y_min_position", "m", 0, -1e6, 1e6, "where that wall stands; to be given when y_min is true"),
+      riffle::real("y_max_position", "m", 0, -1e6, 1e6, "where that wall stands; to be given when y_max is true"),
+      riffle::real("z_min_position", "m", 0, -1e6, 1e6, "where that wall stands; to be given when z_min is true"),
+      riffle::real("z_max_position", "m", 0, -1e6, 1e6, "where that wall stands; to be given when z_max is true")};
 
   struct Wall {
     int axis;
@@ -46,16 +47,20 @@ struct MirrorWall {
     for (int a = 0; a < 3; ++a) {
       const std::string name(1, "xyz"[a]);
       for (const bool lower : {true, false}) {
-        const std::string face = name + (lower ? "_min" : "_max");
+        const std::string face = name + (lower ? "_min" : "_max"), position = face + "_position";
         if (!v.flag(face.c_str())) continue;
         if (axis_of[a] < 0) {
           throw std::invalid_argument(face + " = true, but there is no " + name + " in " + std::to_string(dim) +
                                       (dim == 1 ? " dimension" : " dimensions"));
         }
-        walls.push_back({axis_of[a], v.number((face + "_position").c_str()), lower ? 1.0 : -1.0});
-      }
-      if (v.number((name + "_min_position").c_str()) >= v.number((name + "_max_position").c_str()) && axis_of[a] >= 0) {
-        throw std::invalid_argument(name + "_min_position must lie below " + name + "_max_position");
+        if (a > 0 && !v.given(position.c_str())) {
+          throw std::invalid_argument(face + " = true needs " + position + ", the place of that wall");
+        }
+        const bool second = !lower && !walls.empty() && walls.back().axis == axis_of[a];
+        walls.push_back({axis_of[a], v.number(position.c_str()), lower ? 1.0 : -1.0});
+        if (second && !(walls[walls.size() - 2].position < walls.back().position)) {
+          throw std::invalid_argument(name + "_min_position must lie below " + position);
+        }
       }
     }
   }

@@ -131,7 +131,8 @@ TEST(MirrorWall, FillsTheCornerWhereTwoWallsMeet) {
 }
 
 TEST(MirrorWall, MakesSevenImagesInACornerOfThreeDimensions) {
-  const Instance wall(table(), 3, {{"x_max", 0}, {"y_min", 1}, {"z_min", 1}});
+  const Instance wall(table(), 3,
+                      {{"x_max", 0}, {"y_min", 1}, {"z_min", 1}, {"y_min_position", 0}, {"z_min_position", 0}});
   FakeEditor editor(3, {{{0.5, 0.25, 0.125}, {}}});
   editor.images(wall);
   EXPECT_EQ(editor.image_count(), 7u);
@@ -171,6 +172,15 @@ TEST(MirrorWall, RefusesAFaceThatTheDimensionDoesNotHave) {
     FAIL() << "accepted";
   } catch (const Refused& refused) {
     EXPECT_STREQ(refused.what(), "z_min = true, but there is no z in 1 dimension");
+  }
+}
+
+TEST(MirrorWall, WantsToKnowWhereAWallStandsThatIsNotAcrossX) {
+  try {
+    const Instance wall(table(), 2, {{"z_min", 1}});
+    FAIL() << "accepted";
+  } catch (const Refused& refused) {
+    EXPECT_STREQ(refused.what(), "z_min = true needs z_min_position, the place of that wall");
   }
 }
 
