@@ -33,16 +33,26 @@ class Constant : public Function::Implementation {
   double value_;
 };
 
+bool is_allowed(const ParameterDescription& p, double x) {
+  return x >= p.min && x <= p.max && !(p.above_min && x == p.min) && !(p.below_max && x == p.max);
+}
+
 // A number of everyday size in SI that the parameter's range allows; `rank` makes those of one plugin differ.
 double usual_number(const ParameterDescription& p, int rank) {
-  const auto allowed = [&](double x) {
-    return x >= p.min && x <= p.max && !(p.above_min && x == p.min) && !(p.below_max && x == p.max);
-  };
   const double one = p.type == ParameterType::integer ? 1.0 : 1.0 / rank;
-  if (allowed(one)) return one;
-  if (allowed(p.min)) return p.min;
+  if (is_allowed(p, one)) return one;
+  if (is_allowed(p, p.min)) return p.min;
   if (p.type == ParameterType::integer) return p.min + 1;
   return std::isfinite(p.max) ? p.min + (p.max - p.min) / 2 : std::max(2 * p.min, 1.0);
+}
+
+// What a case with a tank of water, one metre in each direction, would have.
+const std::map<std::string, double>& usual_quantities() {
+  static const std::map<std::string, double> quantities{
+      {"fluid.gravity", 9.81}, {"fluid.density", 1000}, {"fluid.viscosity", 1e-6}, {"domain.smoothing_ratio", 1.3},
+      {"domain.x_min", 0},     {"domain.y_min", 0},     {"domain.z_min", 0},       {"domain.x_max", 1},
+      {"domain.y_max", 1},     {"domain.z_max", 1}};
+  return quantities;
 }
 
 }  // namespace
@@ -101,9 +111,6 @@ std::shared_ptr<const Function> constant_function(double value) {
 
 std::vector<ParameterValue> default_values(const PluginDescription& description,
                                            const std::map<std::string, double>& inherited) {
-  static const std::map<std::string, double> water{
-
-      {"fluid.gravity", 9.81}, {"fluid.density", 1000}, {"fluid.viscosity", 1e-6}, {"domain.smoothing_ratio", 1.3}};
   std::vector<ParameterValue> values;
   int required = 0;
   for (const ParameterDescription& p : description.parameters) {
@@ -111,9 +118,9 @@ std::vector<ParameterValue> default_values(const PluginDescription& description,
     value.name = p.name;
     if (const auto given = inherited.find(p.inherit); given != inherited.end()) {
       value.number = given->second;
-    } else if (const auto known = water.find(p.inherit); known != water.end()) {
+    } else if (const auto known = usual_quantities().find(p.inherit); known != usual_quantities().end()) {
       value.number = known->second;
-    } else if (p.required) {
+    } else if (p.required || (!p.inherit.empty() && !is_allowed(p, p.fallback))) {
       value.number = usual_number(p, ++required);
     } else {
       value.number = p.fallback;

@@ -15,7 +15,8 @@ struct Range {
   double low, high;
 };
 // Where 0.5 to 2 in SI (with either sign for vectors) would be odd.
-constexpr std::array<Range, 17> ranges{{{"position", -2, 2},
+constexpr std::array<Range, 18> ranges{{{"position", -2, 2},
+                                        {"inverse_smoothing_length", 10, 16},
                                         {"velocity", -1, 1},
                                         {"drag_rate", 0, 2},
                                         {"smoothing_length", 0.06, 0.1},

@@ -21,7 +21,7 @@ TEST(Contract, AGoodDragBreaksNothing) {
 
 TEST(Contract, NegativeDragIsFoundWithItsValue) {
   EXPECT_EQ(broken("negative-drag", 2),
-            Lines{"drag \"negative-drag\": pass \"friction\": \"drag_rate\" is -0.239878; it must not be negative"});
+            Lines{"drag \"negative-drag\": pass \"friction\": \"drag_rate\" is -0.238847; it must not be negative"});
 }
 
 TEST(Contract, WhatIsNoNumberIsFound) {

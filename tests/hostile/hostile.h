@@ -38,11 +38,14 @@ static inline void destroy_any(void* self) {
   (void)self;
 }
 
-/* lambda = 0.01 |u| / h */
+/* lambda = 0.01 max |u_c| / h */
 static inline double drag_of(const riffle_block* block, int64_t k) {
-  double u2 = 0;
-  for (int32_t c = 0; c < block->dim; ++c) u2 += block->in[0][c][k] * block->in[0][c][k];
-  return 0.01 * u2 / block->in[1][0][k] / (u2 > 1 ? u2 : 1);
+  double largest = 0;
+  for (int32_t c = 0; c < block->dim; ++c) {
+    const double u = block->in[0][c][k];
+    largest = u > largest ? u : -u > largest ? -u : largest;
+  }
+  return 0.01 * largest / block->in[1][0][k];
 }
 static inline int32_t run_drag(const void* self, const riffle_block* block, riffle_error* error) {
   (void)self, (void)error;
