@@ -13,18 +13,24 @@ const char* role_name(int role) {
   return names.at(static_cast<std::size_t>(role));
 }
 
-void AlignedArray::Free::operator()(double* p) const { std::free(p); }
+void AlignedArray::Free::operator()(double* p) const {
+  std::free(p);
+}
 
-AlignedArray::AlignedArray(std::size_t n) { resize(n); }
+AlignedArray::AlignedArray(std::size_t n) {
+  resize(n);
+}
 
 void AlignedArray::resize(std::size_t n) {
   if (n == size_) return;
   const std::size_t rounded = (n + 7) / 8 * 8;
-  if (data_ == nullptr || rounded > (size_ + 7) / 8 * 8) {
-    auto* fresh = static_cast<double*>(std::aligned_alloc(64, std::max<std::size_t>(rounded, 8) * sizeof(double)));
+  if (data_ == nullptr || rounded > capacity_) {
+    const std::size_t room = data_ == nullptr ? std::max<std::size_t>(rounded, 8) : (rounded + rounded / 8 + 7) / 8 * 8;
+    auto* fresh = static_cast<double*>(std::aligned_alloc(64, room * sizeof(double)));
     if (fresh == nullptr) throw std::bad_alloc();
     if (size_ > 0) std::memcpy(fresh, data_.get(), size_ * sizeof(double));
     data_.reset(fresh);
+    capacity_ = room;
   }
   if (n > size_) std::fill(data_.get() + size_, data_.get() + rounded, 0.0);
   size_ = n;
@@ -100,6 +106,20 @@ void ParticleStore::make_room() {
   for (auto& [name, field] : fields_) {
     for (auto& array : field->component) array.resize(needed);
   }
+}
+
+void ParticleStore::rearrange(const std::vector<std::int64_t>& order, const std::array<std::int64_t, role_count>& per_role,
+                              const std::vector<std::int64_t>& ids) {
+  std::vector<double> kept(order.size());
+  for (auto& [name, field] : fields_) {
+    for (auto& array : field->component) {
+      for (std::size_t k = 0; k < order.size(); ++k) kept[k] = array.data()[order[k]];
+      array.resize(order.size() + 1);
+      std::copy(kept.begin(), kept.end(), array.data());
+    }
+  }
+  resize_owned(per_role);
+  for (std::size_t k = 0; k < order.size(); ++k) ids_[k] = ids[static_cast<std::size_t>(order[k])];
 }
 
 void ParticleStore::permute(const std::vector<std::int64_t>& order) {

@@ -42,7 +42,7 @@ class AlignedArray {
     void operator()(double* p) const;
   };
   std::unique_ptr<double[], Free> data_;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, capacity_ = 0;
 };
 
 struct Field {
@@ -79,6 +79,10 @@ class ParticleStore {
   // Sets the numbers per role (sum = owned) and makes room; values of new places are 0. Ids are left to the caller.
   void resize_owned(const std::array<std::int64_t, role_count>& per_role);
   void resize_images(std::int64_t n);
+  // New owned particles: place k gets what was at place order[k] of the owned ones and of the images behind them, which
+  // are given up; ids[i] is the id of old place i.
+  void rearrange(const std::vector<std::int64_t>& order, const std::array<std::int64_t, role_count>& per_role,
+                 const std::vector<std::int64_t>& ids);
   // Reorders owned particles: new place k gets old place order[k]. Roles must stay grouped.
   void permute(const std::vector<std::int64_t>& order);
 
