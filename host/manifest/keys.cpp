@@ -75,7 +75,7 @@ std::vector<std::string> kinds_of_slots() {
 std::vector<ManifestKey> make_keys() {
   const ParameterType text = ParameterType::text;
   ManifestKey name = required(key("case", "name", text, "short name; the folder of the run is called after it"));
-  name.pattern = "[a-z0-9-]+";
+  name.pattern = "[a-z0-9][a-z0-9.-]*";
   ManifestKey perturbation = with_default(
       real("initial.particles", "perturbation", "1", 0, 0.5, "largest random displacement over the local spacing"), 0);
   perturbation.value.below_max = true;

@@ -105,7 +105,7 @@ void DestroyPlugin::operator()(void* self) const {
   destroy(self);
 }
 
-std::shared_ptr<const Function> constant_function(double value) {
+std::shared_ptr<const Function> shared_constant(double value) {
   return std::make_shared<Function>(std::make_shared<Constant>(value), fmt::format("{}", value));
 }
 
@@ -132,7 +132,7 @@ std::vector<ParameterValue> default_values(const PluginDescription& description,
     } else if (p.type == ParameterType::text) {
       value.text = p.fallback_text;
     } else if (p.type == ParameterType::function) {
-      value.function = constant_function(value.number);
+      value.function = shared_constant(value.number);
     }
     values.push_back(std::move(value));
   }

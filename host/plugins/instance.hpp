@@ -65,6 +65,6 @@ std::vector<ParameterValue> default_values(const PluginDescription& description,
                                            const std::map<std::string, double>& inherited = {});
 
 // A function that is the same number everywhere.
-std::shared_ptr<const Function> constant_function(double value);
+std::shared_ptr<const Function> shared_constant(double value);
 
 }  // namespace riffle

@@ -25,7 +25,7 @@ Evaluator::Evaluator(const Graph& graph, ParticleStore& store, Neighbourhood& ne
       position_(graph.field("position")),
       smoothing_length_(graph.field("smoothing_length")) {
   for (std::size_t n = 0; n < graph.nodes().size(); ++n) {
-    const Node& node = graph.nodes()[n];
+    const PassNode& node = graph.nodes()[n];
     if (node.initial) continue;
     std::vector<int> reads = graph.particle_reads(static_cast<int>(n), false);
     for (const int f : graph.particle_reads(static_cast<int>(n), true)) reads.push_back(f);
@@ -44,7 +44,7 @@ void Evaluator::changed(int field) {
   for (const int n : dependents_[static_cast<std::size_t>(field)]) {
     if (stale_[static_cast<std::size_t>(n)] != 0) continue;
     stale_[static_cast<std::size_t>(n)] = 1;
-    const Node& node = graph_.nodes()[static_cast<std::size_t>(n)];
+    const PassNode& node = graph_.nodes()[static_cast<std::size_t>(n)];
     if (node.occasional) continue;
     for (const auto& w : node.writes) {
       if (graph_.fields()[static_cast<std::size_t>(w.field)].pair_source != PairSource::none) continue;
@@ -83,7 +83,7 @@ void Evaluator::collect_node(int n, bool all, std::vector<char>& wanted) const {
   const auto index = static_cast<std::size_t>(n);
   if (wanted[index] != 0 || (!all && stale_[index] == 0)) return;
   wanted[index] = 1;
-  const Node& node = graph_.nodes()[index];
+  const PassNode& node = graph_.nodes()[index];
   for (const int d : node.depends) collect_node(d, all, wanted);
   for (const int p : node.pair_producers) {
     for (const int d : graph_.nodes()[static_cast<std::size_t>(p)].depends) collect_node(d, all, wanted);
@@ -144,7 +144,7 @@ void Evaluator::compute(const std::vector<int>& fields, double time, double dt) 
 
 void Evaluator::run_occasional_passes(std::int64_t step, double time, double dt) {
   for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
-    const Node& node = graph_.nodes()[n];
+    const PassNode& node = graph_.nodes()[n];
     if (!node.occasional) continue;
     const bool by_step = node.every > 0 && step % node.every == 0;
     // due when the last step crossed a multiple of the interval
@@ -268,7 +268,7 @@ std::string Evaluator::find_culprit() const {
 std::vector<int> Evaluator::history_nodes() const {
   std::vector<int> out;
   for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
-    const Node& node = graph_.nodes()[n];
+    const PassNode& node = graph_.nodes()[n];
     const bool previous =
         std::any_of(node.reads.begin(), node.reads.end(), [](const NodeRead& r) { return r.previous; });
     if (!node.initial && !node.occasional && (node.iteration >= 0 || previous)) out.push_back(static_cast<int>(n));

@@ -151,7 +151,7 @@ void Graph::collect(const std::vector<std::string>& given) {
     }
     for (const auto* pass : entries(plugin.table->passes)) {
       if (!condition_holds(pass->when, plugin.values)) continue;
-      Node node;
+      PassNode node;
       node.plugin = index;
       node.pass = pass;
       node.label = plugin.id == pass->name ? plugin.id : plugin.id + ": " + pass->name;
@@ -228,19 +228,19 @@ void Graph::collect(const std::vector<std::string>& given) {
 // Removes passes that ask to be left out when something they read is missing, the host's own where somebody else
 // writes, and turns absent optional reads into -1; repeats, since one removal may cause another.
 void Graph::drop_unprovided() {
-  const auto provided = [&](int f, const Node* except) {
+  const auto provided = [&](int f, const PassNode* except) {
     const GraphField& graph_field = fields_[static_cast<std::size_t>(f)];
     if (graph_field.pair_source == PairSource::geometry || graph_field.pair_source == PairSource::kernel) return true;
     if (graph_field.given || graph_field.evolved) return true;
-    return std::any_of(nodes_.begin(), nodes_.end(), [&](const Node& n) {
+    return std::any_of(nodes_.begin(), nodes_.end(), [&](const PassNode& n) {
       return &n != except &&
              std::any_of(n.writes.begin(), n.writes.end(), [&](const NodeWrite& w) { return w.field == f; });
     });
   };
-  std::erase_if(nodes_, [&](const Node& node) {
+  std::erase_if(nodes_, [&](const PassNode& node) {
     if (!plugins_[static_cast<std::size_t>(node.plugin)].fallback) return false;
     return std::any_of(node.writes.begin(), node.writes.end(), [&](const NodeWrite& w) {
-      return std::any_of(nodes_.begin(), nodes_.end(), [&](const Node& other) {
+      return std::any_of(nodes_.begin(), nodes_.end(), [&](const PassNode& other) {
         return !plugins_[static_cast<std::size_t>(other.plugin)].fallback &&
                std::any_of(other.writes.begin(), other.writes.end(),
                            [&](const NodeWrite& o) { return o.field == w.field; });
@@ -250,7 +250,7 @@ void Graph::drop_unprovided() {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t k = 0; k < nodes_.size() && !changed; ++k) {
-      const Node& node = nodes_[k];
+      const PassNode& node = nodes_[k];
       const bool fallback = plugins_[static_cast<std::size_t>(node.plugin)].fallback;
       if (!fallback && (node.pass->flags & RIFFLE_IF_PROVIDED) == 0) continue;
       const auto reads = entries(node.pass->reads);
@@ -285,7 +285,7 @@ void Graph::drop_unprovided() {
 // Who writes what; two writers, missing writers.
 void Graph::resolve() {
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const Node& node = nodes_[n];
+    const PassNode& node = nodes_[n];
     for (const auto& w : node.writes) {
       auto& f = fields_[static_cast<std::size_t>(w.field)];
       if (node.initial)
@@ -298,10 +298,10 @@ void Graph::resolve() {
     for (const auto* list : {&f.initial_writers, &f.writers}) {
       for (std::size_t a = 0; a < list->size(); ++a) {
         for (std::size_t b = a + 1; b < list->size(); ++b) {
-          const Node& first = nodes_[static_cast<std::size_t>((*list)[a])];
-          const Node& second = nodes_[static_cast<std::size_t>((*list)[b])];
+          const PassNode& first = nodes_[static_cast<std::size_t>((*list)[a])];
+          const PassNode& second = nodes_[static_cast<std::size_t>((*list)[b])];
           if ((first.targets & second.targets) == 0) continue;
-          const auto sums = [&](const Node& node) {
+          const auto sums = [&](const PassNode& node) {
             return std::any_of(node.writes.begin(), node.writes.end(), [&](const NodeWrite& w) {
               return name(w.field) == f.description.name && w.how == RIFFLE_SUM;
             });
@@ -386,7 +386,7 @@ void Graph::drop_unused(const std::vector<std::string>& wanted_outputs) {
     changed = false;
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
       if (alive[n] != 0) continue;
-      const Node& node = nodes_[n];
+      const PassNode& node = nodes_[n];
       const bool needed = node.occasional || std::any_of(node.writes.begin(), node.writes.end(),
                                                          [&](const NodeWrite& w) { return used.count(w.field) != 0; });
       if (!needed) continue;
@@ -406,7 +406,7 @@ void Graph::drop_unused(const std::vector<std::string>& wanted_outputs) {
       notes_.push_back(nodes_[n].label + " is left out: nobody uses what it writes");
     }
   }
-  std::vector<Node> kept;
+  std::vector<PassNode> kept;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     if (alive[n] != 0) kept.push_back(std::move(nodes_[n]));
   }
@@ -443,9 +443,9 @@ void Graph::implied(const NodeRead& read, bool neighbours, std::vector<int>& out
 
 std::vector<int> Graph::particle_reads(int n, bool neighbours) const {
   std::vector<int> out;
-  const Node& node = nodes_[static_cast<std::size_t>(n)];
+  const PassNode& node = nodes_[static_cast<std::size_t>(n)];
   if (neighbours && !node.pair && !node.global) return out;
-  const auto add = [&](const Node& of) {
+  const auto add = [&](const PassNode& of) {
     for (const auto& read : of.reads) {
       if (node.global && read.field >= 0) {  // a global pass may look anywhere
         if (fields_[static_cast<std::size_t>(read.field)].pair_source == PairSource::none) add_once(out, read.field);
@@ -467,7 +467,7 @@ std::vector<int> Graph::particle_reads(int n, bool neighbours) const {
 // Pair producers and dependencies.
 void Graph::link() {
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    Node& node = nodes_[n];
+    PassNode& node = nodes_[n];
     for (const auto& read : node.reads) {
       if (read.field < 0) continue;
       const auto& f = fields_[static_cast<std::size_t>(read.field)];
@@ -492,7 +492,7 @@ void Graph::link() {
     }
   }
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    Node& node = nodes_[n];
+    PassNode& node = nodes_[n];
     const auto depend_on_writers = [&](int f, bool previous) {
       if (f < 0 || previous) return;
       const auto& graph_field = fields_[static_cast<std::size_t>(f)];
@@ -500,7 +500,7 @@ void Graph::link() {
         if (w != static_cast<int>(n)) add_once(node.depends, w);
       }
     };
-    const auto depend = [&](const Node& of) {
+    const auto depend = [&](const PassNode& of) {
       for (const auto& read : of.reads) {
         if (read.field < 0) continue;
         const auto& f = fields_[static_cast<std::size_t>(read.field)];
@@ -584,7 +584,7 @@ void Graph::order() {
   }
   std::vector<int> where(count);
   for (std::size_t k = 0; k < count; ++k) where[sequence[k]] = static_cast<int>(k);
-  std::vector<Node> sorted;
+  std::vector<PassNode> sorted;
   for (const std::size_t n : sequence) sorted.push_back(std::move(nodes_[n]));
   nodes_ = std::move(sorted);
   const auto renumber = [&](std::vector<int>& list) {

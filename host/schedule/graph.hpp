@@ -68,7 +68,7 @@ struct Iteration {
   std::int64_t maximum = 1;
 };
 
-struct Node {
+struct PassNode {
   int plugin = -1;
   const riffle_pass* pass = nullptr;
   std::string label;  // "swe-standard: momentum"
@@ -109,7 +109,7 @@ class Graph {
   [[nodiscard]] int dim() const { return dim_; }
   [[nodiscard]] const std::vector<ActivePlugin>& plugins() const { return plugins_; }
   [[nodiscard]] const std::vector<GraphField>& fields() const { return fields_; }
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  // in an order that respects `depends`
+  [[nodiscard]] const std::vector<PassNode>& nodes() const { return nodes_; }  // in an order that respects `depends`
   [[nodiscard]] const std::vector<Iteration>& iterations() const { return iterations_; }
   [[nodiscard]] const std::vector<GraphVote>& votes() const { return votes_; }
   [[nodiscard]] const std::vector<GraphEvolved>& evolved() const { return evolved_; }
@@ -135,7 +135,7 @@ class Graph {
   int dim_;
   std::vector<ActivePlugin> plugins_;
   std::vector<GraphField> fields_;
-  std::vector<Node> nodes_;
+  std::vector<PassNode> nodes_;
   std::vector<Iteration> iterations_;
   std::vector<GraphVote> votes_;
   std::vector<GraphEvolved> evolved_;

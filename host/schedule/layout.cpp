@@ -34,7 +34,7 @@ class Maker {
   }
 
  private:
-  [[nodiscard]] const Node& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] const PassNode& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
   [[nodiscard]] const GraphField& field(int f) const { return graph_.fields()[static_cast<std::size_t>(f)]; }
   [[nodiscard]] bool is_uniform(const Source& s) const {
     const int f = s.inverse_length ? graph_.field("smoothing_length") : s.field;

@@ -49,7 +49,7 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] const Node& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] const PassNode& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
 
   [[nodiscard]] bool joins(int n) const {
     if (sweep_.nodes.empty()) return false;
@@ -59,7 +59,7 @@ class Builder {
   }
 
   void add(int n) {
-    const Node& added = node(n);
+    const PassNode& added = node(n);
     if (sweep_.nodes.empty()) {
       sweep_.iteration = added.iteration;
       current_iteration_ = added.iteration;
@@ -79,7 +79,7 @@ class Builder {
     for (const auto& w : added.writes) written_.insert(w.field);
   }
 
-  void add_pair(int n, const Node& added) {
+  void add_pair(int n, const PassNode& added) {
     const NeighbourRequest request{added.reach, added.targets, added.sources};
     int host = -1;
     const std::vector<int> own = graph_.particle_reads(n, false);

@@ -196,7 +196,7 @@ Runner::Compiled& Runner::compile(const Plan& plan, std::size_t index) {
   return *slot;
 }
 
-void Runner::fail(const Node& failed, const std::string& message) {
+void Runner::fail(const PassNode& failed, const std::string& message) {
 #pragma omp critical(riffle_runner_failure)
   {
     const auto& plugin = graph_.plugins()[static_cast<std::size_t>(failed.plugin)];
@@ -304,7 +304,7 @@ void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int 
                               array(layout.r()), array(call.inverse_l), call.want, out);
     }
     for (std::size_t c = 0; c < layout.calls.size(); ++c) {
-      const Node& called = node(layout.calls[c].node);
+      const PassNode& called = node(layout.calls[c].node);
       const riffle_block block = block_of(layout.dim, padded, i0, time, dt, local.calls[c]);
       if (called.pass->run(graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, &block, &error) !=
           RIFFLE_OK) {
@@ -344,7 +344,7 @@ void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int 
   }
 }
 
-void Runner::run_particles(const Node& called, bool zero, std::int64_t first, std::int64_t last, double time,
+void Runner::run_particles(const PassNode& called, bool zero, std::int64_t first, std::int64_t last, double time,
                            double dt) {
   Tables tables;
   for (const auto& read : called.reads) {
@@ -379,7 +379,7 @@ void Runner::run_particles(const Node& called, bool zero, std::int64_t first, st
   }
 }
 
-void Runner::run_global(const Node& called, const ListProvider& lists, const std::vector<Image>& images, double time,
+void Runner::run_global(const PassNode& called, const ListProvider& lists, const std::vector<Image>& images, double time,
                         double dt) {
   Tables tables;
   bool pairs_wanted = false;

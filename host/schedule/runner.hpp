@@ -55,11 +55,11 @@ class Runner {
                                                std::vector<int>& zero_fields) const;
   void pack(Group& group);
   void run_group(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
-  void run_particles(const Node& node, bool zero, std::int64_t first, std::int64_t last, double time, double dt);
-  void run_global(const Node& node, const ListProvider& lists, const std::vector<Image>& images, double time,
+  void run_particles(const PassNode& node, bool zero, std::int64_t first, std::int64_t last, double time, double dt);
+  void run_global(const PassNode& node, const ListProvider& lists, const std::vector<Image>& images, double time,
                   double dt);
-  void fail(const Node& node, const std::string& message);
-  [[nodiscard]] const Node& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
+  void fail(const PassNode& node, const std::string& message);
+  [[nodiscard]] const PassNode& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
   [[nodiscard]] const double* source(const Source& s) const;
 
   const Graph& graph_;

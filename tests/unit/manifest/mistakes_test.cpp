@@ -38,7 +38,7 @@ end = "6 min"
 )",
                      {"output.pictures=false"}),
             (Lines{
-                "case.toml:2:8: case.name must match [a-z0-9-]+, got \"Dam Break\"; did you mean \"dam-break\"?",
+                "case.toml:2:8: case.name must match [a-z0-9][a-z0-9.-]*, got \"Dam Break\"; did you mean \"dam-break\"?",
                 "case.toml:3:1: unknown key \"titel\" in [case]; did you mean \"title\"?",
                 "case.toml:6:13: domain.x[1] must be a length [m], got \"200 kg\", which is a mass",
                 "case.toml:7:1: unknown key \"smothing_ratio\" in [domain]; did you mean \"smoothing_ratio\"?",

@@ -67,7 +67,7 @@ TEST_F(Schema, RangesAndDefaultsAreThoseOfTheReader) {
   EXPECT_EQ(dimension.at("type"), "integer");
   EXPECT_EQ(dimension.at("maximum"), 3);
   EXPECT_EQ(key(manifest_key("time.drag")).at("enum"), (json{"implicit", "explicit"}));
-  EXPECT_EQ(key(manifest_key("case.name")).at("pattern"), "^[a-z0-9-]+$");
+  EXPECT_EQ(key(manifest_key("case.name")).at("pattern"), "^[a-z0-9][a-z0-9.-]*$");
   EXPECT_EQ(key(manifest_key("domain.x")).at("minItems"), 2);
   EXPECT_FALSE(key(manifest_key("time.step")).contains("default"));
 }
