@@ -1,0 +1,95 @@
+// run.json: what a run was, what it found, and what it cost. Every key is documented in docs/run-record.md, which a
+// test compares with what is written. The names are relied on by scripts: add, never rename.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/output/build_info.hpp"
+#include "host/output/errors.hpp"
+
+namespace riffle {
+
+enum class RunStatus { finished, suspect, failed };
+
+enum class Severity { note, suspect, failed };
+
+// A judgement on the run: "mass-conserved", "energy-grew", ...; `text` is one sentence with the figures.
+struct Verdict {
+  std::string name, text;
+  Severity severity = Severity::note;
+};
+
+struct MassLedger {  // kg
+  double initial = 0, in = 0, out = 0, final = 0;
+  // (final + out - initial - in) over (initial + in): round-off when every kilogram is accounted for
+  [[nodiscard]] double imbalance() const;
+};
+
+struct MomentumLedger {  // kg m/s, one value per axis; kg m/s per m of width in 1D and in the vertical plane
+  std::vector<double> initial, final;
+  double scale = 0;  // sum of m |u| at the end, to judge the change by
+};
+
+struct StepLimit {
+  std::int64_t steps = 0;  // that it decided
+  double smallest = 0;     // s
+};
+
+struct PluginRecord {
+  std::string slot, kind, id, version, library, hash, build;
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();  // all in force, SI
+};
+
+struct NeighbourStatistics {
+  double mean = 0;
+  std::int64_t smallest = 0, largest = 0;
+};
+
+struct PhaseSeconds {  // wall
+  double sort = 0, list = 0, sweeps = 0, integrate = 0, output = 0;
+};
+
+struct RunRecord {
+  RunStatus status = RunStatus::finished;
+  std::string message;  // why it failed or is suspect: one sentence; empty otherwise
+  std::string case_name, title;
+  double time = 0;  // s, simulated, reached
+  std::int64_t steps = 0, particles = 0;
+  double wall_seconds = 0, cpu_seconds = 0;
+  double particle_steps_per_second = 0, evaluations_per_second = 0;
+  std::map<std::string, FieldErrors> errors;
+  std::map<std::string, Extrema> extrema;
+  MassLedger mass;
+  MomentumLedger momentum;
+  std::map<std::string, StepLimit> limits;
+  std::vector<PluginRecord> plugins;
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> overrides;  // "key=value" as given with --set
+  std::string manifest;                // the effective manifest, JSON text
+  std::string resumed_from;            // name of the checkpoint file, or empty
+  int threads = 1;
+  Machine machine = this_machine();
+  std::optional<NeighbourStatistics> neighbours;
+  double bytes_per_particle = 0;
+  PhaseSeconds seconds;
+};
+
+// The worst severity decides: failed, suspect, or finished.
+RunStatus status_from(const std::vector<Verdict>& verdicts);
+
+// What the program returns: 0 good, 1 failed, 3 suspect when `strict`. (2, bad input, never has a record.)
+int exit_code(RunStatus status, bool strict);
+
+// Values that are not finite become null.
+nlohmann::ordered_json to_json(const RunRecord& record);
+
+// Throws std::runtime_error with one sentence.
+void write_run_record(const std::filesystem::path& path, const RunRecord& record);
+
+}  // namespace riffle
