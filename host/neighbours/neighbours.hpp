@@ -1,8 +1,8 @@
 // Neighbour lists for any particle set in 1, 2 or 3 dimensions, with uniform or variable smoothing length.
 //
 // A list serves every pass that can share its reach and its roles. With a skin it stays valid over several steps:
-// verlet.hpp says for how long. All functions run on the OpenMP threads of the caller's setting, and what they return is
-// a function of positions and particle order alone: the same for any number of threads.
+// verlet.hpp says for how long. All functions run on the OpenMP threads of the caller's setting, and what they return
+// is a function of positions and particle order alone: the same for any number of threads.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Says how long a neighbour list with a skin stays complete while particles move and supports change.
 //
 // A list built with skin s holds all pairs that were then closer than (1 + s) kappa l. Particle i may have moved by d_i
-// and any other by up to d_max, so a pair now at distance r was at most r + d_i + d_max apart. All pairs that must be in
-// the list are in it if, for every particle i whose support counts,
+// and any other by up to d_max, so a pair now at distance r was at most r + d_i + d_max apart. All pairs that must be
+// in the list are in it if, for every particle i whose support counts,
 //
 //   (1 + s) kappa l_i(then) - kappa l_i(now) - d_i - d_max >= 0.
 //
