@@ -1,28 +1,11 @@
 #include "host/schedule/gather.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 namespace riffle {
 
 namespace {
-
-using v4 = double __attribute__((vector_size(32)));
-using m4 = std::int64_t __attribute__((vector_size(32)));
-
-inline v4 load(const double* p) {
-  v4 v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-inline void store(double* p, v4 v) {
-  std::memcpy(p, &v, sizeof v);
-}
-inline v4 all(double x) {
-  return v4{x, x, x, x};
-}
 
 // Rows a, b, c, d become columns.
 inline void transpose(v4& a, v4& b, v4& c, v4& d) {
@@ -43,8 +26,8 @@ std::int64_t gather_block(const GatherArguments& g) {
     const double* own = g.records + i * record;
     v4 xi[Dim], ui[Dim];
     for (int c = 0; c < Dim; ++c) {
-      xi[c] = all(own[c]);
-      ui[c] = Approach ? all(own[Dim + c]) : all(0.0);
+      xi[c] = all4(own[c]);
+      ui[c] = Approach ? all4(own[Dim + c]) : all4(0.0);
     }
     const std::int32_t* end = g.neighbour + g.begin[i + 1];
     for (const std::int32_t* j = g.neighbour + g.begin[i]; j != end; j += 4, w += 4) {
@@ -55,24 +38,24 @@ std::int64_t gather_block(const GatherArguments& g) {
       v4 s[record];
 #pragma GCC unroll 8
       for (int q = 0; q < Quads; ++q) {
-        s[4 * q] = load(a + 4 * q);
-        s[4 * q + 1] = load(b + 4 * q);
-        s[4 * q + 2] = load(c + 4 * q);
-        s[4 * q + 3] = load(d + 4 * q);
+        s[4 * q] = load4(a + 4 * q);
+        s[4 * q + 1] = load4(b + 4 * q);
+        s[4 * q + 2] = load4(c + 4 * q);
+        s[4 * q + 3] = load4(d + 4 * q);
         transpose(s[4 * q], s[4 * q + 1], s[4 * q + 2], s[4 * q + 3]);
       }
-      v4 r2 = all(0.0), vr = all(0.0);
+      v4 r2 = all4(0.0), vr = all4(0.0);
 #pragma GCC unroll 4
       for (int k = 0; k < Dim; ++k) {
         const v4 dx = xi[k] - s[k];
-        store(w + k * Stride, dx);
+        store4(w + k * Stride, dx);
         r2 += dx * dx;
         if constexpr (Approach) vr += (ui[k] - s[Dim + k]) * dx;
       }
-      store(w + (Dim + 1) * Stride, r2);
-      if constexpr (Approach) store(w + (Dim + 2) * Stride, vr);
+      store4(w + (Dim + 1) * Stride, r2);
+      if constexpr (Approach) store4(w + (Dim + 2) * Stride, vr);
 #pragma GCC unroll 32
-      for (int k = head; k < record; ++k) store(w + (Dim + 3 + k - head) * Stride, s[k]);
+      for (int k = head; k < record; ++k) store4(w + (Dim + 3 + k - head) * Stride, s[k]);
     }
   }
   const std::int64_t n = w - g.arena;
@@ -118,14 +101,28 @@ std::int64_t gather(const GatherArguments& arguments, int stride) {
   }
 }
 
-double sum_segment(const double* values, std::int64_t count) {
-  static constexpr std::array<m4, 4> tail{m4{0, 0, 0, 0}, m4{-1, 0, 0, 0}, m4{-1, -1, 0, 0}, m4{-1, -1, -1, 0}};
-  v4 sum = all(0.0);
-  const std::int64_t whole = count & ~std::int64_t{3};
-  for (std::int64_t k = 0; k < whole; k += 4) sum += load(values + k);
-  const auto rest = static_cast<std::size_t>(count & 3);
-  if (rest != 0) sum += reinterpret_cast<v4>(reinterpret_cast<m4>(load(values + whole)) & tail[rest]);
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+void pack_records(const double* const* columns, int used, int quads, std::int64_t first, std::int64_t last,
+                  double* records) {
+  const int record = 4 * quads;
+  const std::int64_t whole = first + ((last - first) & ~std::int64_t{3});
+  for (int q = 0; q < quads; ++q) {
+    const int have = used - 4 * q;
+    for (std::int64_t i = first; i < whole; i += 4) {
+      v4 a = load4(columns[4 * q] + i);
+      v4 b = have > 1 ? load4(columns[4 * q + 1] + i) : all4(0.0);
+      v4 c = have > 2 ? load4(columns[4 * q + 2] + i) : all4(0.0);
+      v4 d = have > 3 ? load4(columns[4 * q + 3] + i) : all4(0.0);
+      transpose(a, b, c, d);
+      double* to = records + i * record + 4 * q;
+      store4(to, a);
+      store4(to + record, b);
+      store4(to + 2 * record, c);
+      store4(to + 3 * record, d);
+    }
+    for (std::int64_t i = whole; i < last; ++i) {
+      for (int k = 0; k < 4; ++k) records[i * record + 4 * q + k] = k < have ? columns[4 * q + k][i] : 0.0;
+    }
+  }
 }
 
 }  // namespace riffle

@@ -33,8 +33,11 @@ const NeighbourList& Neighbourhood::list(const NeighbourRequest& request) const 
   throw std::logic_error("a neighbour list was asked for that no pass declares");
 }
 
-double Neighbourhood::reach(std::int64_t i) const {
-  return kappa_ * (1 + skin_) * store_.data("smoothing_length")[i];
+void Neighbourhood::reach(std::vector<double>& out) const {
+  out.resize(static_cast<std::size_t>(store_.owned()));
+  const double* l = store_.data("smoothing_length");
+  const double factor = kappa_ * (1 + skin_);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = factor * l[i];
 }
 
 ParticleView Neighbourhood::view() const {
@@ -57,8 +60,11 @@ bool Neighbourhood::prepare() {
   if (still_valid()) return false;
   if (store_.dim() > 1 && state_.builds % builds_between_sorts == 0) sort();
   const auto n = static_cast<std::size_t>(store_.owned());
-  for (int c = 0; c < store_.dim(); ++c) state_.x[c].assign(store_.data("position", c), store_.data("position", c) + n);
-  state_.l.assign(store_.data("smoothing_length"), store_.data("smoothing_length") + n);
+  if (store_.dim() > 1) {  // in one dimension the lists follow from the current state
+    for (int c = 0; c < store_.dim(); ++c)
+      state_.x[c].assign(store_.data("position", c), store_.data("position", c) + n);
+    state_.l.assign(store_.data("smoothing_length"), store_.data("smoothing_length") + n);
+  }
   ++state_.builds;
   build();
   return true;

@@ -37,7 +37,7 @@ class Neighbourhood : public ListProvider {
 
   [[nodiscard]] const NeighbourList& list(const NeighbourRequest& request) const override;
   [[nodiscard]] const std::vector<Image>& images() const { return images_; }
-  [[nodiscard]] double reach(std::int64_t i) const;  // how far particle i must see, skin included
+  void reach(std::vector<double>& out) const;  // how far each owned particle must see, skin included
   [[nodiscard]] std::int64_t builds() const { return state_.builds; }
   [[nodiscard]] std::size_t bytes() const;
 

@@ -21,9 +21,24 @@ struct Tables {
   std::vector<std::vector<double*>> out_arrays;
   std::vector<const double* const*> in;
   std::vector<double* const*> out;
+  std::size_t n_in = 0, n_out = 0;
+
+  void open() { n_in = n_out = 0; }
+  std::vector<const double*>& next_in() {
+    if (n_in == in_arrays.size()) in_arrays.emplace_back();
+    in_arrays[n_in].clear();
+    return in_arrays[n_in++];
+  }
+  std::vector<double*>& next_out() {
+    if (n_out == out_arrays.size()) out_arrays.emplace_back();
+    out_arrays[n_out].clear();
+    return out_arrays[n_out++];
+  }
   void close() {
-    for (auto& arrays : in_arrays) in.push_back(arrays.empty() ? nullptr : arrays.data());
-    for (auto& arrays : out_arrays) out.push_back(arrays.data());
+    in.clear();
+    out.clear();
+    for (std::size_t k = 0; k < n_in; ++k) in.push_back(in_arrays[k].empty() ? nullptr : in_arrays[k].data());
+    for (std::size_t k = 0; k < n_out; ++k) out.push_back(out_arrays[k].data());
   }
 };
 
@@ -73,11 +88,11 @@ struct Runner::Group {
       for (const auto& call : layout.calls) {
         Tables tables;
         for (const auto& arrays : call.in) {
-          auto& row = tables.in_arrays.emplace_back();
+          auto& row = tables.next_in();
           for (const int a : arrays) row.push_back(arena + a * stride);
         }
         for (const auto& arrays : call.out) {
-          auto& row = tables.out_arrays.emplace_back();
+          auto& row = tables.next_out();
           for (const int a : arrays) row.push_back(arena + a * stride);
         }
         tables.close();
@@ -217,11 +232,10 @@ void Runner::pack(Group& group) {
   }
   for (const Source& s : layout.slots) columns.push_back(source(s));
   const int used = static_cast<int>(columns.size());
+  constexpr std::int64_t part = 1024;
 #pragma omp for schedule(static)
-  for (std::int64_t i = 0; i < n; ++i) {
-    double* p = out + i * record;
-    for (int k = 0; k < used; ++k) p[k] = columns[static_cast<std::size_t>(k)][i];
-    for (int k = used; k < record; ++k) p[k] = 0;
+  for (std::int64_t c = 0; c < (n + part - 1) / part; ++c) {
+    pack_records(columns.data(), used, layout.quads, c * part, std::min(n, (c + 1) * part), out);
   }
 #pragma omp single
   {  // the dummy: like the first particle, but far from everything
@@ -240,14 +254,15 @@ void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int 
   const int record = 4 * layout.quads;
   const int head = layout.dim * (layout.approach ? 2 : 1);
   const auto array = [&](int a) { return arena + static_cast<std::ptrdiff_t>(a) * stride; };
-  riffle_error error{sizeof(riffle_error), {}};
+  const std::int64_t* begin = list.begin.data();
+  riffle_error error;
+  error.size = sizeof error;
 
   for (std::int64_t i0 = first; i0 < last;) {
     std::int64_t i1 = i0;
     std::int64_t pairs = 0;
     while (i1 < last) {
-      const std::int64_t next =
-          pairs + list.begin[static_cast<std::size_t>(i1) + 1] - list.begin[static_cast<std::size_t>(i1)];
+      const std::int64_t next = pairs + begin[i1 + 1] - begin[i1];
       const std::int64_t total = next + (layout.any_self ? round_up(i1 + 1 - i0, 4) : 0);
       if (i1 > i0 && total > group.block_pairs) break;
       pairs = next;
@@ -275,22 +290,28 @@ void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int 
       std::int64_t w = 0;
       const auto each = [&](auto f, auto at_self) {
         for (std::int64_t i = i0; i < i1; ++i) {
-          const double v = own[i];
-          const std::int64_t end =
-              w + list.begin[static_cast<std::size_t>(i) + 1] - list.begin[static_cast<std::size_t>(i)];
-          for (; w < end; ++w) to[w] = f(v, w);
+          const v4 v = all4(own[i]);
+          const std::int64_t end = w + begin[i + 1] - begin[i];
+          for (; w < end; w += 4) store4(to + w, f(v, w));
         }
         for (std::int64_t i = i0; layout.any_self && i < i1; ++i, ++w) to[w] = at_self(own[i]);
       };
       const auto same = [](double v) { return v; };
       switch (op.kind) {
-        case GatherOp::Kind::own: each([](double v, std::int64_t) { return v; }, same); break;
+        case GatherOp::Kind::own: each([](v4 v, std::int64_t) { return v; }, same); break;
         case GatherOp::Kind::difference:
-          each([=](double v, std::int64_t k) { return v - theirs[k]; }, [](double) { return 0.0; });
+          each([=](v4 v, std::int64_t k) { return v - load4(theirs + k); }, [](double) { return 0.0; });
           break;
-        case GatherOp::Kind::mean: each([=](double v, std::int64_t k) { return 0.5 * (v + theirs[k]); }, same); break;
+        case GatherOp::Kind::mean:
+          each([=](v4 v, std::int64_t k) { return 0.5 * (v + load4(theirs + k)); }, same);
+          break;
         case GatherOp::Kind::inverse_mean:
-          each([=](double v, std::int64_t k) { return 2 * v * theirs[k] / (v + theirs[k]); }, same);
+          each(
+              [=](v4 v, std::int64_t k) {
+                const v4 u = load4(theirs + k);
+                return 2 * v * u / (v + u);
+              },
+              same);
           break;
       }
     }
@@ -323,21 +344,22 @@ void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int 
       const double* values = array(reduction.array);
       const double* own = values + self;
       std::int64_t w = 0;
-      for (std::int64_t i = i0; i < i1; ++i, ++own) {
-        const std::int64_t count = list.count[static_cast<std::size_t>(i)];
-        if (reduction.how == RIFFLE_SUM) {
-          double sum = sum_segment(values + w, count);
-          if (reduction.with_self) sum += *own;
+      if (reduction.how == RIFFLE_SUM) {
+        for (std::int64_t i = i0; i < i1; w += begin[i + 1] - begin[i], ++i) {
+          double sum = sum_segment(values + w, list.count[static_cast<std::size_t>(i)]);
+          if (reduction.with_self) sum += own[i - i0];
           to[i] = reduction.first ? sum : to[i] + sum;
-        } else {
-          const bool least = reduction.how == RIFFLE_MIN;
-          double best = least ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
-          for (std::int64_t k = 0; k < count; ++k)
-            best = least ? std::min(best, values[w + k]) : std::max(best, values[w + k]);
-          if (reduction.with_self) best = least ? std::min(best, *own) : std::max(best, *own);
-          to[i] = best;
         }
-        w += list.begin[static_cast<std::size_t>(i) + 1] - list.begin[static_cast<std::size_t>(i)];
+        continue;
+      }
+      for (std::int64_t i = i0; i < i1; w += begin[i + 1] - begin[i], ++i) {
+        const std::int64_t count = list.count[static_cast<std::size_t>(i)];
+        const bool least = reduction.how == RIFFLE_MIN;
+        double best = least ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+        for (std::int64_t k = 0; k < count; ++k)
+          best = least ? std::min(best, values[w + k]) : std::max(best, values[w + k]);
+        if (reduction.with_self) best = least ? std::min(best, own[i - i0]) : std::max(best, own[i - i0]);
+        to[i] = best;
       }
     }
     i0 = i1;
@@ -346,21 +368,23 @@ void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int 
 
 void Runner::run_particles(const PassNode& called, bool zero, std::int64_t first, std::int64_t last, double time,
                            double dt) {
-  Tables tables;
+  thread_local Tables tables;  // its memory is kept from call to call
+  tables.open();
   for (const auto& read : called.reads) {
-    auto& row = tables.in_arrays.emplace_back();
+    auto& row = tables.next_in();
     if (read.field < 0) continue;
     for (auto& array : field_[static_cast<std::size_t>(read.field)]->component) row.push_back(array.data() + first);
   }
   for (const auto& w : called.writes) {
-    auto& row = tables.out_arrays.emplace_back();
+    auto& row = tables.next_out();
     for (auto& array : field_[static_cast<std::size_t>(w.field)]->component) {
       row.push_back(array.data() + first);
       if (zero && w.how == RIFFLE_SUM) std::fill_n(array.data() + first, last - first, 0.0);
     }
   }
   tables.close();
-  riffle_error error{sizeof(riffle_error), {}};
+  riffle_error error;
+  error.size = sizeof error;
   const riffle_block block = block_of(store_.dim(), last - first, first, time, dt, tables);
   if (called.pass->run(graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, &block, &error) != RIFFLE_OK) {
     fail(called, error.message);
@@ -379,12 +403,12 @@ void Runner::run_particles(const PassNode& called, bool zero, std::int64_t first
   }
 }
 
-void Runner::run_global(const PassNode& called, const ListProvider& lists, const std::vector<Image>& images, double time,
-                        double dt) {
+void Runner::run_global(const PassNode& called, const ListProvider& lists, const std::vector<Image>& images,
+                        double time, double dt) {
   Tables tables;
   bool pairs_wanted = false;
   for (const auto& read : called.reads) {
-    auto& row = tables.in_arrays.emplace_back();
+    auto& row = tables.next_in();
     if (read.field < 0) continue;
     if (field_[static_cast<std::size_t>(read.field)] != nullptr) {
       for (auto& array : field_[static_cast<std::size_t>(read.field)]->component) row.push_back(array.data());
@@ -394,7 +418,7 @@ void Runner::run_global(const PassNode& called, const ListProvider& lists, const
     }
   }
   for (const auto& w : called.writes) {
-    auto& row = tables.out_arrays.emplace_back();
+    auto& row = tables.next_out();
     for (auto& array : field_[static_cast<std::size_t>(w.field)]->component) row.push_back(array.data());
   }
   tables.close();
@@ -496,9 +520,10 @@ double Runner::vote(const GraphVote& vote, double time, double dt) {
 #pragma omp parallel for schedule(static) reduction(min : least)
     for (std::int64_t c = 0; c < chunks; ++c) {
       const std::int64_t first = begin + c * options_.chunk, last = std::min(first + options_.chunk, end);
-      Tables tables;
+      thread_local Tables tables;
+      tables.open();
       for (const int f : vote.fields) {
-        auto& row = tables.in_arrays.emplace_back();
+        auto& row = tables.next_in();
         for (auto& array : field_[static_cast<std::size_t>(f)]->component) row.push_back(array.data() + first);
       }
       tables.close();

@@ -1,6 +1,7 @@
 #include "host/time/boundaries.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace riffle {
 
@@ -8,10 +9,9 @@ namespace riffle {
 struct Boundaries::Context {
   ParticleStore* store = nullptr;
   Evaluator* evaluator = nullptr;
-  Neighbourhood* neighbourhood = nullptr;
   std::vector<Image>* images = nullptr;
   std::int64_t count = 0, added = 0;
-  std::vector<std::uint32_t> role;  // of owned and added particles
+  std::map<std::int64_t, std::uint32_t> retagged;  // and the roles of added particles
   std::vector<char> removed;
   std::vector<std::int64_t> like;  // of added particles
   bool edited = false;
@@ -66,6 +66,14 @@ void Boundaries::images(std::vector<Image>& images) {
 
 bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* images) {
   bool edited = false;
+  roles_.resize(static_cast<std::size_t>(store_.owned()), RIFFLE_FLUID);
+  if (store_.role_begin(1) != store_.owned() || roles_changed_) {
+    for (int r = 0; r < role_count; ++r) {
+      std::fill(roles_.begin() + store_.role_begin(r), roles_.begin() + store_.role_begin(r + 1), 1u << r);
+    }
+    roles_changed_ = false;
+  }
+  if (which == Call::images) neighbourhood_->reach(reach_);
   for (std::size_t p = 0; p < graph_.plugins().size(); ++p) {
     const ActivePlugin& plugin = graph_.plugins()[p];
     const auto function = which == Call::begin  ? plugin.table->begin
@@ -75,13 +83,8 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
     Context context;
     context.store = &store_;
     context.evaluator = evaluator_;
-    context.neighbourhood = neighbourhood_;
     context.images = images;
     context.count = store_.owned();
-    context.role.resize(static_cast<std::size_t>(store_.owned()), RIFFLE_FLUID);
-    for (int r = 1; r < role_count; ++r) {
-      std::fill(context.role.begin() + store_.role_begin(r), context.role.begin() + store_.role_begin(r + 1), 1u << r);
-    }
     riffle_editor editor{};
     editor.size = sizeof editor;
     editor.dim = store_.dim();
@@ -90,7 +93,8 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
     editor.dt = dt;
     editor.state = state_[p].data();
     editor.context = &context;
-    editor.role = context.role.data();
+    editor.role = roles_.data();
+    editor.reach = which == Call::images ? reach_.data() : nullptr;
     editor.read = [](void* c, const char* name, std::int32_t component) noexcept -> const double* {
       const Field* field = context_of<Context>(c).store->find(name);
       return field == nullptr ? nullptr : field->component[static_cast<std::size_t>(component)].data();
@@ -111,7 +115,7 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
         for (auto& array : field->component) array.data()[index] = array.data()[like];
       }
       context.like.push_back(like);
-      context.role.push_back(role);
+      context.retagged[index] = role;
       context.edited = true;
       return index;
     };
@@ -123,11 +127,8 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
     };
     editor.retag = [](void* c, std::int64_t index, std::uint32_t role) noexcept {
       auto& context = context_of<Context>(c);
-      context.role[static_cast<std::size_t>(index)] = role;
+      context.retagged[index] = role;
       context.edited = true;
-    };
-    editor.reach = [](void* c, std::int64_t index) noexcept {
-      return context_of<Context>(c).neighbourhood->reach(index);
     };
     editor.image = [](void* c, std::int64_t origin, std::uint32_t how, std::int32_t axis,
                       const double* a) noexcept -> std::int64_t {
@@ -151,17 +152,20 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
 // Groups what is left by role again, numbers the new ones, and writes the ledger: what becomes water came in, what was
 // water and no longer is went out.
 void Boundaries::apply(Context& context) {
-  const auto before = [&](std::int64_t i) { return i < context.count ? 1u << store_.role_of(i) : 0u; };
-  context.removed.resize(context.role.size(), 0);
+  const auto before = [&](std::int64_t i) { return i < context.count ? roles_[static_cast<std::size_t>(i)] : 0u; };
+  const auto total = static_cast<std::size_t>(context.count + context.added);
+  context.removed.resize(total, 0);
   const double* amount = graph_.conserved() >= 0 ? store_.data(graph_.name(graph_.conserved())) : nullptr;
   std::vector<std::vector<std::int64_t>> by_role(role_count);
-  for (std::size_t k = 0; k < context.role.size(); ++k) {
+  for (std::size_t k = 0; k < total; ++k) {
     const auto i = static_cast<std::int64_t>(k);
+    const auto tag = context.retagged.find(i);
+    const std::uint32_t role = tag != context.retagged.end() ? tag->second : before(i);
     const bool was_water = before(i) == RIFFLE_FLUID;
-    const bool is_water = context.removed[k] == 0 && context.role[k] == RIFFLE_FLUID;
+    const bool is_water = context.removed[k] == 0 && role == RIFFLE_FLUID;
     if (amount != nullptr && is_water && !was_water) ledger_.in += amount[i];
     if (amount != nullptr && was_water && !is_water) ledger_.out += amount[i];
-    if (context.removed[k] == 0) by_role[static_cast<std::size_t>(role_index(context.role[k]))].push_back(i);
+    if (context.removed[k] == 0) by_role[static_cast<std::size_t>(role_index(role))].push_back(i);
   }
   std::vector<std::int64_t> ids = store_.ids();
   for (std::int64_t a = 0; a < context.added; ++a) ids.push_back(next_id_++);
@@ -172,6 +176,7 @@ void Boundaries::apply(Context& context) {
     order.insert(order.end(), by_role[r].begin(), by_role[r].end());
   }
   store_.rearrange(order, counts, ids);
+  roles_changed_ = true;
   evaluator_->everything_changed();
 }
 

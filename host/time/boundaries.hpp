@@ -37,6 +37,9 @@ class Boundaries {
   ParticleStore& store_;
   Evaluator* evaluator_ = nullptr;
   Neighbourhood* neighbourhood_ = nullptr;
+  std::vector<std::uint32_t> roles_;  // of owned particles, as bits
+  bool roles_changed_ = true;
+  std::vector<double> reach_;
   std::vector<std::vector<double>> state_;  // per plugin of the graph
   Ledger ledger_;
   std::int64_t next_id_ = 0;

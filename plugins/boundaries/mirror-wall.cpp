@@ -67,15 +67,19 @@ struct MirrorWall {
 
   void edit(const riffle_editor& e) const {
     for (const Wall& wall : walls) {
-      double* x = e.write(e.context, "position", wall.axis);
-      double* u = e.write(e.context, "velocity", wall.axis);
-      double* acceleration = e.write(e.context, "acceleration", wall.axis);
+      const double* x = e.read(e.context, "position", wall.axis);
       for (std::int64_t k = 0; k < e.count; ++k) {
-        if (e.role[k] != RIFFLE_FLUID || !(wall.distance(x[k]) < 0)) continue;
-        x[k] = 2 * wall.position - x[k];
-        if (u != nullptr) u[k] = -u[k];
-        if (acceleration != nullptr) acceleration[k] = -acceleration[k];
+        if (e.role[k] == RIFFLE_FLUID && wall.distance(x[k]) < 0) reflect(e, wall, k);
       }
+    }
+  }
+
+  // Asking to write marks fields as changed, so it is done only for particles that have crossed.
+  static void reflect(const riffle_editor& e, const Wall& wall, std::int64_t k) {
+    double* x = e.write(e.context, "position", wall.axis);
+    x[k] = 2 * wall.position - x[k];
+    for (const char* reversed : {"velocity", "acceleration"}) {
+      if (double* v = e.write(e.context, reversed, wall.axis)) v[k] = -v[k];
     }
   }
 
@@ -101,17 +105,25 @@ struct MirrorWall {
                                  std::size_t images) {
     const double* x = e.read(e.context, "position", wall.axis);
     const auto inside = [&](std::int64_t k) { return e.role[k] == RIFFLE_FLUID || wall.distance(x[k]) >= 0; };
-    double zone = 0;
+    double zone = 0, bound = 0;
+    const double position = wall.position, inward = wall.inward;
+#pragma omp simd reduction(max : zone, bound)
     for (std::int64_t k = 0; k < e.count; ++k) {
-      if (inside(k)) zone = std::max(zone, e.reach(e.context, k) - wall.distance(x[k]));
+      const double distance = inward * (x[k] - position), past = e.reach[k] - distance;
+      const double counted = (e.role[k] == RIFFLE_FLUID) | (distance >= 0) ? past : 0.0;
+      zone = counted > zone ? counted : zone;
+      bound = e.reach[k] > bound ? e.reach[k] : bound;
     }
+    bound = std::max(bound, zone);
     std::vector<Image> found;
     const auto add = [&](Image candidate) {
       const std::int64_t k = candidate.origin;
       if (e.role[k] == RIFFLE_PROBE || !inside(k)) return;
-      if (wall.distance(x[k]) < std::max(zone, e.reach(e.context, k))) found.push_back(candidate);
+      if (wall.distance(x[k]) < std::max(zone, e.reach[k])) found.push_back(candidate);
     };
-    for (std::int64_t k = 0; k < e.count; ++k) add({k, k});
+    for (std::int64_t k = 0; k < e.count; ++k) {
+      if (inward * (x[k] - position) < bound) add({k, k});  // most particles are far from it
+    }
     for (std::size_t m = 0; m < images; ++m) add(made[m]);
     return found;
   }

@@ -61,9 +61,7 @@ class FakeEditor {
     e.write = [](void* self, const char* field, std::int32_t c) noexcept {
       return static_cast<FakeEditor*>(self)->array(field, c);
     };
-    e.reach = [](void* self, std::int64_t k) noexcept {
-      return static_cast<FakeEditor*>(self)->reach_[static_cast<std::size_t>(k)];
-    };
+    e.reach = reach_.data();
     e.image = [](void* self, std::int64_t origin, std::uint32_t how, std::int32_t axis, const double* a) noexcept {
       return static_cast<FakeEditor*>(self)->mirror(static_cast<std::size_t>(origin), how,
                                                     static_cast<std::size_t>(axis), a);

@@ -271,13 +271,13 @@ typedef struct riffle_editor {
   double time, dt;
   double *state; /* the plugin's own numbers (riffle_plugin.state_size), kept in checkpoints */
   void *context;
+  const double *reach; /* [count] how far each particle must see, skin included; NULL but in `images` */
   const uint32_t *role;                                                                       /* [count] */
   const double *(*read)(void *context, const char *field, int32_t component) RIFFLE_NOEXCEPT; /* NULL if absent */
   double *(*write)(void *context, const char *field, int32_t component) RIFFLE_NOEXCEPT;      /* NULL if absent */
   int64_t (*add)(void *context, uint32_t role, int64_t like) RIFFLE_NOEXCEPT; /* a copy of particle `like`; its index */
   void (*remove)(void *context, int64_t index) RIFFLE_NOEXCEPT;
   void (*retag)(void *context, int64_t index, uint32_t role) RIFFLE_NOEXCEPT;
-  double (*reach)(void *context, int64_t index) RIFFLE_NOEXCEPT; /* how far that particle must see, skin included */
   /* an image of particle `origin` (or of an image, for corners): RIFFLE_MIRROR in the plane through a[] with normal
      axis `axis`, RIFFLE_SHIFT by the vector a[]; returns the image's index (count, count + 1, ...) */
   int64_t (*image)(void *context, int64_t origin, uint32_t how, int32_t axis, const double *a) RIFFLE_NOEXCEPT;
