@@ -12,12 +12,12 @@ std::filesystem::path program_directory() {
   return error ? std::filesystem::current_path() : self.parent_path();
 }
 
-// In the build tree <build>/plugins, installed <prefix>/<libdir>/riffle/plugins.
+// In the build tree <build>/plugins, installed <prefix>/lib/riffle/plugins.
 std::filesystem::path shipped_plugins() {
   const auto here = program_directory();
   const auto built = here / ".." / ".." / "plugins";
   if (std::filesystem::is_directory(built)) return built;
-  return here / ".." / RIFFLE_LIBDIR / "riffle" / "plugins";
+  return here / ".." / "lib" / "riffle" / "plugins";
 }
 
 Registry open_registry(const std::vector<std::filesystem::path>& plugin_path, const std::filesystem::path& manifest) {
