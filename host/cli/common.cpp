@@ -12,12 +12,12 @@ std::filesystem::path program_directory() {
   return error ? std::filesystem::current_path() : self.parent_path();
 }
 
-// In the build tree <build>/plugins, installed <prefix>/lib/riffle/plugins.
+// Installed <prefix>/lib/riffle/plugins, in the build tree <build>/plugins.
 std::filesystem::path shipped_plugins() {
   const auto here = program_directory();
-  const auto built = here / ".." / ".." / "plugins";
-  if (std::filesystem::is_directory(built)) return built;
-  return here / ".." / "lib" / "riffle" / "plugins";
+  const auto installed = here / ".." / "lib" / "riffle" / "plugins";
+  if (std::filesystem::is_directory(installed)) return installed;
+  return here / ".." / ".." / "plugins";
 }
 
 Registry open_registry(const std::vector<std::filesystem::path>& plugin_path, const std::filesystem::path& manifest) {
