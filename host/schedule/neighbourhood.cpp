@@ -28,7 +28,12 @@ void Neighbourhood::require(const NeighbourRequest& request) {
 
 const NeighbourList& Neighbourhood::list(const NeighbourRequest& request) const {
   for (const auto& entry : lists_) {
-    if (same(entry->request, request)) return entry->list;
+    if (!same(entry->request, request)) continue;
+    if (!entry->current) {
+      riffle::build(view(), kappa_, skin_, request, entry->list);
+      entry->current = true;
+    }
+    return entry->list;
   }
   throw std::logic_error("a neighbour list was asked for that no pass declares");
 }
@@ -58,6 +63,7 @@ bool Neighbourhood::still_valid() const {
 
 bool Neighbourhood::prepare() {
   if (still_valid()) return false;
+  if (store_.dim() == 1) sort_line();
   if (store_.dim() > 1 && state_.builds % builds_between_sorts == 0) sort();
   const auto n = static_cast<std::size_t>(store_.owned());
   if (store_.dim() > 1) {  // in one dimension the lists follow from the current state
@@ -68,6 +74,16 @@ bool Neighbourhood::prepare() {
   ++state_.builds;
   build();
   return true;
+}
+
+// Keeps the particles of each role in ascending x; they seldom overtake each other.
+void Neighbourhood::sort_line() {
+  const double* x = store_.data("position");
+  for (int r = 0; r < role_count; ++r) {
+    if (std::is_sorted(x + store_.role_begin(r), x + store_.role_begin(r + 1))) continue;
+    sort();
+    return;
+  }
 }
 
 void Neighbourhood::sort() {
@@ -103,9 +119,19 @@ void Neighbourhood::build() {
       role_[static_cast<std::size_t>(store_.owned()) + k] = role_[static_cast<std::size_t>(images_[k].origin)];
   }
   for (auto& entry : lists_) {
+    entry->current = false;
+    if (store_.dim() == 1) continue;
     riffle::build(view(), kappa_, skin_, entry->request, entry->list);
-    if (store_.dim() > 1) entry->check.remember(view(), kappa_, skin_, entry->request);
+    entry->check.remember(view(), kappa_, skin_, entry->request);
+    entry->current = true;
   }
+  const double* x = store_.data("position");
+  const auto n = store_.owned();
+  on_a_line_ = store_.dim() == 1 && n > 0 && store_.role_begin(1) == n &&
+               std::none_of(images_.begin(), images_.end(), [&, k = n](const Image&) mutable {
+                 const double at = x[k++];
+                 return at >= x[0] && at <= x[n - 1];
+               });
   valid_ = true;
 }
 

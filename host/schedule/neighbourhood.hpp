@@ -1,7 +1,8 @@
 // Who is near whom: keeps images and neighbour lists in step with the particles.
 //
-// Lists are built with a skin and kept until some particle may have crossed it; in one dimension, where building is as
-// cheap as checking, they are rebuilt whenever particles have moved. Lists and images are a pure function of particle
+// Lists are built with a skin and kept until some particle may have crossed it. In one dimension particles are kept
+// sorted along x, groups of passes walk along the line without any list (line.hpp), and a list is only built, for the
+// current positions, when somebody asks for it. Lists and images are a pure function of particle
 // order and of positions and smoothing lengths at the last build; those are kept for checkpoints, so that a resumed run
 // sums in the same order.
 #pragma once
@@ -36,6 +37,8 @@ class Neighbourhood : public ListProvider {
   void invalidate() { valid_ = false; }
 
   [[nodiscard]] const NeighbourList& list(const NeighbourRequest& request) const override;
+  [[nodiscard]] double kappa() const override { return kappa_; }
+  [[nodiscard]] bool on_a_line() const override { return on_a_line_; }
   [[nodiscard]] const std::vector<Image>& images() const { return images_; }
   void reach(std::vector<double>& out) const;  // how far each owned particle must see, skin included
   [[nodiscard]] std::int64_t builds() const { return state_.builds; }
@@ -48,6 +51,7 @@ class Neighbourhood : public ListProvider {
  private:
   void build();
   void sort();
+  void sort_line();
   [[nodiscard]] bool still_valid() const;
   [[nodiscard]] ParticleView view() const;
 
@@ -55,6 +59,7 @@ class Neighbourhood : public ListProvider {
     NeighbourRequest request;
     NeighbourList list;
     VerletCheck check;
+    bool current = false;  // in one dimension: built for the present positions
   };
   ParticleStore& store_;
   double kappa_, skin_;
@@ -63,7 +68,7 @@ class Neighbourhood : public ListProvider {
   std::vector<Image> images_;
   std::vector<std::uint8_t> role_;
   NeighbourhoodState state_;
-  bool valid_ = false;
+  bool valid_ = false, on_a_line_ = false;
 };
 
 }  // namespace riffle

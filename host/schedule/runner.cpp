@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host/schedule/gather.hpp"
+#include "host/schedule/line.hpp"
 
 namespace riffle {
 
@@ -56,7 +57,8 @@ std::int64_t round_up(std::int64_t n, std::int64_t to) {
 struct Runner::Group {
   GroupLayout layout;
   NeighbourRequest request;
-  const NeighbourList* list = nullptr;
+  const NeighbourList* list = nullptr;  // nullptr: run along the line
+  std::unique_ptr<LineGroup> line;
   int stride = 0;
   std::int64_t block_pairs = 0;
   AlignedArray records;
@@ -366,6 +368,14 @@ void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int 
   }
 }
 
+void Runner::run_line(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt) {
+  const LineGroup::Failure failure = group.line->run(first, last, thread, time, dt, [this](const Reduction& r) {
+    return field_[static_cast<std::size_t>(r.field)]->component[static_cast<std::size_t>(r.component)].data();
+  });
+  if (failure.message.empty()) return;
+  fail(node(failure.node >= 0 ? failure.node : group.layout.calls.front().node), failure.message);
+}
+
 void Runner::run_particles(const PassNode& called, bool zero, std::int64_t first, std::int64_t last, double time,
                            double dt) {
   thread_local Tables tables;  // its memory is kept from call to call
@@ -459,6 +469,11 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
   const auto n_all = static_cast<std::size_t>(store_.all() + 1);
   bool lengths = false;
   for (auto& group : compiled.groups) {
+    lengths = true;
+    if (lists.on_a_line() && LineGroup::possible(group.layout, group.request)) {
+      group.list = nullptr;
+      continue;
+    }
     group.list = &lists.list(group.request);
     group.prepare_threads(threads);
     const std::size_t wanted = n_all * 4 * static_cast<std::size_t>(group.layout.quads);
@@ -469,7 +484,6 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
         arrays.resize(static_cast<std::size_t>(keep.component) + 1);
       arrays[static_cast<std::size_t>(keep.component)].resize(static_cast<std::size_t>(group.list->begin.back()));
     }
-    lengths = true;
   }
   if (lengths && inverse_l_.size() < n_all) inverse_l_.resize(n_all + n_all / 8);
   const double* l = lengths ? store_.data("smoothing_length") : nullptr;
@@ -492,14 +506,25 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
 #pragma omp for schedule(static)
       for (std::int64_t i = 0; i < static_cast<std::int64_t>(n_all) - 1; ++i) inverse_l_.data()[i] = 1.0 / l[i];
     }
-    for (auto& group : compiled.groups) pack(group);
+    for (auto& group : compiled.groups) {
+      if (group.list != nullptr) pack(group);
+    }
+#pragma omp single
+    for (auto& group : compiled.groups) {
+      if (group.list != nullptr) continue;
+      if (group.line == nullptr) group.line = std::make_unique<LineGroup>(graph_, group.layout, group.request);
+      group.line->prepare(store_, images, lists.kappa(), threads, [this](const Source& s) { return source(s); });
+    }
 #pragma omp for schedule(static)
     for (std::size_t c = 0; c < chunks.size(); ++c) {
       for (std::size_t s = 0; s < sweep.stages.size(); ++s) {
         const Stage& stage = sweep.stages[s];
         if (stage.group >= 0) {
           Group& group = compiled.groups[static_cast<std::size_t>(stage.group)];
-          if ((group.request.targets & chunks[c].role) != 0)
+          if ((group.request.targets & chunks[c].role) == 0) continue;
+          if (group.list == nullptr)
+            run_line(group, chunks[c].first, chunks[c].last, omp_get_thread_num(), time, dt);
+          else
             run_group(group, chunks[c].first, chunks[c].last, omp_get_thread_num(), time, dt);
         } else if ((node(stage.node).targets & chunks[c].role) != 0) {
           run_particles(node(stage.node), compiled.zero[s] != 0, chunks[c].first, chunks[c].last, time, dt);

@@ -28,6 +28,9 @@ class ListProvider {
  public:
   virtual ~ListProvider() = default;
   [[nodiscard]] virtual const NeighbourList& list(const NeighbourRequest& request) const = 0;
+  [[nodiscard]] virtual double kappa() const = 0;  // support of the kernel in smoothing lengths
+  // One dimension, one role, owned particles in ascending x and all images beyond their ends.
+  [[nodiscard]] virtual bool on_a_line() const = 0;
 };
 
 class Runner {
@@ -55,6 +58,7 @@ class Runner {
                                                std::vector<int>& zero_fields) const;
   void pack(Group& group);
   void run_group(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
+  void run_line(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
   void run_particles(const PassNode& node, bool zero, std::int64_t first, std::int64_t last, double time, double dt);
   void run_global(const PassNode& node, const ListProvider& lists, const std::vector<Image>& images, double time,
                   double dt);

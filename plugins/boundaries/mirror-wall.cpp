@@ -68,7 +68,14 @@ struct MirrorWall {
   void edit(const riffle_editor& e) const {
     for (const Wall& wall : walls) {
       const double* x = e.read(e.context, "position", wall.axis);
+      const double position = wall.position, inward = wall.inward;
+      double least = 0;
+#pragma omp simd reduction(min : least)
       for (std::int64_t k = 0; k < e.count; ++k) {
+        const double distance = inward * (x[k] - position);
+        least = distance < least ? distance : least;
+      }
+      for (std::int64_t k = 0; least < 0 && k < e.count; ++k) {
         if (e.role[k] == RIFFLE_FLUID && wall.distance(x[k]) < 0) reflect(e, wall, k);
       }
     }

@@ -155,11 +155,12 @@ struct SweStandard {
     static constexpr riffle_read reads[] = {riffle::at_i(f::smoothing_length), riffle::at_i(f::velocity),
                                             riffle::at_i(f::wave_speed)};
     static double limit(const SweStandard&, const riffle::Block& b) {
+      const double *l = b.in(0), *u = b.in(1), *v = b.dim() == 2 ? b.in(1, 1) : b.in(1), *c = b.in(2);
+      const double second = b.dim() == 2 ? 1.0 : 0.0;
       double least = riffle::infinity;
+#pragma omp simd reduction(min : least)
       for (std::int64_t k = 0; k < b.size(); ++k) {
-        double u2 = 0;
-        for (int c = 0; c < b.dim(); ++c) u2 += b.in(1, c)[k] * b.in(1, c)[k];
-        const double dt = b.in(0)[k] / (std::sqrt(u2) + b.in(2)[k]);
+        const double dt = l[k] / (std::sqrt(u[k] * u[k] + second * v[k] * v[k]) + c[k]);
         least = dt < least ? dt : least;
       }
       return least;

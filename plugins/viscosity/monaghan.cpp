@@ -5,7 +5,6 @@
 // The paper's eq. 7 lacks the division by the pair-mean depth and multiplies beta by c_ij: both are put right here (the
 // equation set divides by its own pair-mean depth or density). In one dimension alpha acts as a kinematic viscosity of
 // about alpha l c / 2. Not in it: a limiter; alpha = 0 lets shocks ring.
-#include <algorithm>
 #include <riffle/sdk.hpp>
 
 namespace f = riffle::fields;
@@ -41,8 +40,13 @@ struct Monaghan {
     static constexpr std::uint32_t scaled = 0;
     static constexpr riffle_read reads[] = {riffle::at_i(f::smoothing_length), riffle::at_i(f::wave_speed)};
     static double limit(const Monaghan& m, const riffle::Block& b) {
+      const double *l = b.in(0), *c = b.in(1);
       double least = riffle::infinity;
-      for (std::int64_t k = 0; k < b.size(); ++k) least = std::min(least, b.in(0)[k] / (m.alpha * b.in(1)[k]));
+#pragma omp simd reduction(min : least)
+      for (std::int64_t k = 0; k < b.size(); ++k) {
+        const double dt = l[k] / (m.alpha * c[k]);
+        least = dt < least ? dt : least;
+      }
       return 0.5 * least;
     }
   };

@@ -1,0 +1,295 @@
+#include "host/schedule/line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "host/neighbours/neighbours.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::int64_t stretch = 128;                            // particles whose m-th neighbours are taken together
+constexpr std::int64_t margin = longest_segment + stretch + 16;  // far dummies at both ends of every column
+constexpr int x_column = 0, u_column = 1, reach_column = 2, first_column = 3;
+constexpr double far = 1e15;
+
+std::int64_t round_up(std::int64_t n, std::int64_t to) {
+  return (n + to - 1) / to * to;
+}
+
+}  // namespace
+
+struct LineGroup::Thread {
+  struct Call {
+    std::vector<std::vector<const double*>> in_arrays;
+    std::vector<std::vector<double*>> out_arrays;
+    std::vector<const double* const*> in;
+    std::vector<double* const*> out;
+  };
+  struct Moving {  // an entry of a pointer table that follows the stretch
+    std::size_t call;
+    std::size_t read, component;
+    Place place;
+  };
+  AlignedArray arena;
+  std::vector<AlignedArray> sums;  // per reduction
+  AlignedArray counts;             // 1 where a pair is within reach, else 0
+  std::vector<Call> calls;
+  std::vector<Moving> moving;
+};
+
+bool LineGroup::possible(const GroupLayout& layout, const NeighbourRequest& request) {
+  return layout.dim == 1 && layout.keeps.empty() && (request.targets & request.sources & RIFFLE_FLUID) != 0;
+}
+
+LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request)
+    : graph_(graph), layout_(layout), reach_(request.reach) {
+  places_.resize(static_cast<std::size_t>(layout.arrays));
+  for (std::size_t k = 0; k < layout.slots.size(); ++k) {
+    places_[static_cast<std::size_t>(layout.first_slot) + k] = {column_of(layout.slots[k]), true};
+  }
+  for (const GatherOp& op : layout.ops) {
+    const int column = column_of(op.source);
+    if (op.kind == GatherOp::Kind::own) places_[static_cast<std::size_t>(op.to)] = {column, false};
+  }
+  columns_.resize(first_column + sources_.size());
+}
+
+LineGroup::~LineGroup() = default;
+
+int LineGroup::column_of(const Source& source) {
+  const auto found = std::find(sources_.begin(), sources_.end(), source);
+  const auto index = static_cast<int>(found - sources_.begin());
+  if (found == sources_.end()) sources_.push_back(source);
+  return first_column + index;
+}
+
+std::unique_ptr<LineGroup::Thread> LineGroup::make_thread() const {
+  auto local = std::make_unique<Thread>();
+  const auto arrays = static_cast<std::size_t>(layout_.arrays);
+  constexpr auto length = static_cast<std::size_t>(stretch + 8);
+  local->arena.resize(arrays * length);
+  local->counts.resize(length);
+  for (const auto& [array, value] : layout_.constants) {
+    std::fill_n(local->arena.data() + static_cast<std::size_t>(array) * length, length, value);
+  }
+  for (std::size_t r = 0; r < layout_.reductions.size(); ++r) local->sums.emplace_back(length);
+  for (std::size_t c = 0; c < layout_.calls.size(); ++c) {
+    auto& call = local->calls.emplace_back();
+    const PassCall& pass = layout_.calls[c];
+    for (std::size_t k = 0; k < pass.in.size(); ++k) {
+      auto& row = call.in_arrays.emplace_back();
+      for (std::size_t q = 0; q < pass.in[k].size(); ++q) {
+        const auto array = static_cast<std::size_t>(pass.in[k][q]);
+        row.push_back(local->arena.data() + array * length);
+        if (places_[array].column >= 0) local->moving.push_back({c, k, q, places_[array]});
+      }
+    }
+    for (const auto& arrays_of : pass.out) {
+      auto& row = call.out_arrays.emplace_back();
+      for (const int a : arrays_of) row.push_back(local->arena.data() + static_cast<std::size_t>(a) * length);
+    }
+    for (auto& row : call.in_arrays) call.in.push_back(row.empty() ? nullptr : row.data());
+    for (auto& row : call.out_arrays) call.out.push_back(row.data());
+  }
+  return local;
+}
+
+void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& images, double kappa, int threads,
+                        const std::function<const double*(const Source&)>& source) {
+  const std::int64_t n = store.owned();
+  const double* x = store.data("position");
+  std::vector<std::int64_t> left, right;  // images beyond the ends, in ascending x
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    const auto i = n + static_cast<std::int64_t>(k);
+    (x[i] < x[0] ? left : right).push_back(i);
+  }
+  for (auto* side : {&left, &right}) {
+    std::sort(side->begin(), side->end(),
+              [x](std::int64_t a, std::int64_t b) { return x[a] < x[b] || (x[a] == x[b] && a < b); });
+  }
+  const auto on_left = static_cast<std::int64_t>(left.size()), on_right = static_cast<std::int64_t>(right.size());
+  start_ = round_up(margin + on_left, 8);
+  const std::int64_t end = start_ + n + on_right;
+  const auto fill = [&](int column, const double* values, bool position) {
+    AlignedArray& array = columns_[static_cast<std::size_t>(column)];
+    array.resize(static_cast<std::size_t>(end + margin));
+    double* to = array.data();
+    std::fill(to, to + start_ - on_left, position ? -far : values[0]);
+    for (std::int64_t k = 0; k < on_left; ++k) to[start_ - on_left + k] = values[left[static_cast<std::size_t>(k)]];
+    std::copy(values, values + n, to + start_);
+    for (std::int64_t k = 0; k < on_right; ++k) to[start_ + n + k] = values[right[static_cast<std::size_t>(k)]];
+    std::fill(to + end, to + end + margin, position ? far : values[0]);
+  };
+  fill(x_column, x, true);
+  if (layout_.approach) fill(u_column, store.data("velocity"), false);
+  fill(reach_column, store.data("smoothing_length"), false);
+  double* reach = columns_[reach_column].data();
+  double largest = 0;
+#pragma omp simd reduction(max : largest)
+  for (std::int64_t k = 0; k < end + margin; ++k) {
+    reach[k] *= kappa;
+    largest = reach[k] > largest ? reach[k] : largest;
+  }
+  largest_reach_ = largest;
+  std::fill(reach, reach + start_ - on_left, -1.0);  // dummies see nobody, not even each other
+  std::fill(reach + end, reach + end + margin, -1.0);
+  for (std::size_t k = 0; k < sources_.size(); ++k)
+    fill(first_column + static_cast<int>(k), source(sources_[k]), false);
+  while (static_cast<int>(threads_.size()) < threads) threads_.push_back(make_thread());
+}
+
+void LineGroup::point(Thread& local, std::int64_t i, std::int64_t j) const {
+  for (const auto& m : local.moving) {
+    local.calls[m.call].in_arrays[m.read][m.component] =
+        columns_[static_cast<std::size_t>(m.place.column)].data() + (m.place.at_j ? j : i);
+  }
+}
+
+// Closures and passes for the pairs (i + k, j + k), k < n, whose geometry is in the arena.
+bool LineGroup::evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int64_t n, std::int64_t first, double time,
+                         double dt, Failure& failure) const {
+  const auto array = [&](int a) { return local.arena.data() + static_cast<std::ptrdiff_t>(a) * (stretch + 8); };
+  const auto column = [&](const Source& s) {
+    const auto found = std::find(sources_.begin(), sources_.end(), s) - sources_.begin();
+    return columns_[static_cast<std::size_t>(first_column + found)].data();
+  };
+  for (const GatherOp& op : layout_.ops) {
+    if (op.kind == GatherOp::Kind::own) continue;
+    const double* at = column(op.source);
+    const double *own = at + i, *theirs = at + j;
+    double* to = array(op.to);
+    if (op.kind == GatherOp::Kind::difference) {
+#pragma omp simd
+      for (std::int64_t k = 0; k < n; ++k) to[k] = own[k] - theirs[k];
+    } else if (op.kind == GatherOp::Kind::mean) {
+#pragma omp simd
+      for (std::int64_t k = 0; k < n; ++k) to[k] = 0.5 * (own[k] + theirs[k]);
+    } else {
+#pragma omp simd
+      for (std::int64_t k = 0; k < n; ++k) to[k] = 2 * own[k] * theirs[k] / (own[k] + theirs[k]);
+    }
+  }
+  if (!layout_.kernels.empty()) {
+    const ActivePlugin& kernel = graph_.plugins()[static_cast<std::size_t>(graph_.kernel())];
+    for (const KernelCall& call : layout_.kernels) {
+      double* out[RIFFLE_KERNEL_OUTPUTS];
+      for (int b = 0; b < RIFFLE_KERNEL_OUTPUTS; ++b) out[b] = call.out[b] >= 0 ? array(call.out[b]) : nullptr;
+      const Place& place = places_[static_cast<std::size_t>(call.inverse_l)];
+      const double* inverse_l = place.column < 0
+                                    ? array(call.inverse_l)
+                                    : columns_[static_cast<std::size_t>(place.column)].data() + (place.at_j ? j : i);
+      kernel.table->evaluate_kernel(kernel.self, n, array(layout_.r()), inverse_l, call.want, out);
+    }
+  }
+  point(local, i, j);
+  riffle_error error;
+  error.size = sizeof error;
+  for (std::size_t c = 0; c < layout_.calls.size(); ++c) {
+    const PassNode& called = graph_.nodes()[static_cast<std::size_t>(layout_.calls[c].node)];
+    const riffle_block block{sizeof(riffle_block),     1, n, first, time, dt, local.calls[c].in.data(),
+                             local.calls[c].out.data()};
+    if (called.pass->run(graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, &block, &error) != RIFFLE_OK) {
+      failure = {layout_.calls[c].node, error.message};
+      return false;
+    }
+  }
+  return true;
+}
+
+LineGroup::Failure LineGroup::run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
+                                  const std::function<double*(const Reduction&)>& field) {
+  Thread& local = *threads_[static_cast<std::size_t>(thread)];
+  const auto array = [&](int a) { return local.arena.data() + static_cast<std::ptrdiff_t>(a) * (stretch + 8); };
+  double *dx = array(0), *r = array(layout_.r()), *r2 = array(layout_.r2()), *vr = array(layout_.vr());
+  Failure failure;
+  for (std::int64_t b = first; b < last; b += stretch) {
+    const std::int64_t count = std::min(stretch, last - b), n = round_up(count, 8), i = start_ + b;
+    for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {
+      const std::uint32_t how = layout_.reductions[q].how;
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      std::fill_n(local.sums[q].data(), n, how == RIFFLE_MIN ? infinity : how == RIFFLE_MAX ? -infinity : 0.0);
+    }
+    if (layout_.any_self) {
+      for (double* geometry : {dx, r, r2, vr}) std::fill_n(geometry, n, 0.0);
+      if (!evaluate(local, i, i, n, b, time, dt, failure)) return failure;
+      for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {
+        const Reduction& reduction = layout_.reductions[q];
+        if (reduction.with_self) std::copy_n(array(reduction.array), n, local.sums[q].data());
+      }
+    }
+    const double *x = columns_[x_column].data(), *u = layout_.approach ? columns_[u_column].data() : nullptr;
+    const double* reach = columns_[reach_column].data();
+    double* counts = local.counts.data();
+    for (const std::int64_t side : {-1, 1}) {
+      for (std::int64_t m = 1;; ++m) {
+        const std::int64_t j = i + side * m;
+        const double *xi = x + i, *xj = x + j, *li = reach + i, *lj = reach + j;
+        double within = 0, nearest = far;
+        if (reach_ == Reach::gather) {
+#pragma omp simd reduction(+ : within)
+          for (std::int64_t k = 0; k < n; ++k) {
+            const double d = xi[k] - xj[k];
+            dx[k] = d;
+            r[k] = std::abs(d);
+            counts[k] = std::abs(d) < li[k] ? 1.0 : 0.0;
+            within += counts[k];
+          }
+          if (within == 0) break;  // sorted: nobody further is nearer
+        } else {
+          const double own = reach_ == Reach::either ? 1.0 : 0.0;
+#pragma omp simd reduction(+ : within) reduction(min : nearest)
+          for (std::int64_t k = 0; k < n; ++k) {
+            const double d = xi[k] - xj[k], mine = own * li[k], bound = lj[k] > mine ? lj[k] : mine;
+            dx[k] = d;
+            r[k] = std::abs(d);
+            counts[k] = std::abs(d) < bound ? 1.0 : 0.0;
+            within += counts[k];
+            nearest = std::abs(d) < nearest ? std::abs(d) : nearest;
+          }
+          if (nearest >= largest_reach_) break;  // a far neighbour may reach further than a near one
+        }
+        if (m >= longest_segment) {
+          failure.message = "a particle near x = " + std::to_string(xi[0]) + " m has more than " +
+                            std::to_string(longest_segment) + " neighbours on one side: the support is too large";
+          return failure;
+        }
+        if (within == 0) continue;
+#pragma omp simd
+        for (std::int64_t k = 0; k < n; ++k) r2[k] = dx[k] * dx[k];
+        if (u != nullptr) {
+          const double *ui = u + i, *uj = u + j;
+#pragma omp simd
+          for (std::int64_t k = 0; k < n; ++k) vr[k] = (ui[k] - uj[k]) * dx[k];
+        }
+        if (!evaluate(local, i, j, n, b, time, dt, failure)) return failure;
+        for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {
+          const Reduction& reduction = layout_.reductions[q];
+          const double* f = array(reduction.array);
+          double* sum = local.sums[q].data();
+          if (reduction.how == RIFFLE_SUM) {
+#pragma omp simd
+            for (std::int64_t k = 0; k < n; ++k) sum[k] += counts[k] != 0 ? f[k] : 0.0;
+          } else {
+            const bool least = reduction.how == RIFFLE_MIN;
+            for (std::int64_t k = 0; k < n; ++k) {
+              if (counts[k] != 0) sum[k] = least ? std::min(sum[k], f[k]) : std::max(sum[k], f[k]);
+            }
+          }
+        }
+      }
+    }
+    for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {
+      const Reduction& reduction = layout_.reductions[q];
+      double* to = field(reduction) + b;
+      const double* sum = local.sums[q].data();
+      for (std::int64_t k = 0; k < count; ++k) to[k] = reduction.first ? sum[k] : to[k] + sum[k];
+    }
+  }
+  return failure;
+}
+
+}  // namespace riffle
