@@ -12,6 +12,7 @@ void add_list(CLI::App& app, int& code);
 void add_describe(CLI::App& app, int& code);
 void add_explain(CLI::App& app, int& code);
 void add_schema(CLI::App& app, int& code);
+void add_bench(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_new(CLI::App& app, int& code);
 

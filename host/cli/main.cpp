@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   riffle::add_describe(app, code);
   riffle::add_explain(app, code);
   riffle::add_schema(app, code);
+  riffle::add_bench(app, code);
   riffle::add_check(app, code);
   riffle::add_new(app, code);
   try {

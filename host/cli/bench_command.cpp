@@ -1,0 +1,120 @@
+// bench: what the plugin boundary costs, measured here and now.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host/bench/boundary.hpp"
+#include "host/bench/fused_best.hpp"
+#include "host/bench/through_plugins.hpp"
+#include "host/cli/commands.hpp"
+#include "host/cli/common.hpp"
+#include "host/output/atomic_file.hpp"
+#include "host/plugins/check/checks.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double skin = 0.1;                // of both lists, fraction of the support
+constexpr double agreement_wanted = 1e-12;  // relative L2: sums in another order
+
+struct BoundaryRequest {
+  std::vector<std::filesystem::path> plugin_path;
+  std::filesystem::path json;
+  int repeats = 15;
+  std::int64_t along = 400;
+};
+
+void warn_of_slow_loops(const Registry& registry) {
+  for (const auto& [kind, id] : {std::pair<const char*, const char*>{"kernel", "wendland-c2"},
+                                 {"viscosity", "monaghan"},
+                                 {"equations", "wcsph"}}) {
+    const Plugin* plugin = registry.plugin(kind, id);
+    if (plugin == nullptr) continue;
+    const check::Findings found = check::check_speed(*plugin);
+    for (const auto* lines : {&found.failures, &found.warnings}) {
+      for (const auto& line : *lines) std::cerr << fmt::format("warning: {} {}: {}\n", kind, id, line);
+    }
+  }
+}
+
+int bench_boundary(const BoundaryRequest& request) {
+  const Registry registry = open_registry(request.plugin_path, "");
+  const bench::BenchState state = bench::make_state(request.along, skin);
+  bench::ThroughPlugins plugins(state, registry, skin);
+  bench::BenchRates best(state.particles), ours(state.particles);
+  bench::FusedBest fused(state);
+  fused(best);
+  plugins();
+  plugins.copy_to(ours);
+  const double difference = bench::relative_difference(ours, best);
+  std::cout << fmt::format(
+      "{} particles, {:.2f} neighbours, Wendland C2, Monaghan viscosity, weakly compressible flow with density "
+      "diffusion, one thread\n",
+      state.particles, static_cast<double>(state.true_pairs) / static_cast<double>(state.particles));
+  std::cout << fmt::format("plugins and monolith differ by {:.1e} (relative L2)\n", difference);
+  if (!(difference < agreement_wanted)) {
+    std::cerr << fmt::format("the two sides must agree to {:.0e}: the comparison is void\n", agreement_wanted);
+    return exit_failed;
+  }
+  warn_of_slow_loops(registry);
+  const bench::BoundaryTimes times = bench::time_boundary(
+      state, [&] { plugins(); }, request.repeats);
+  const auto line = [&](const char* name, double ns) {
+    std::cout << fmt::format("  {:<44} {:6.2f} ns/pair {:6.1f} M evaluations/s\n", name, ns,
+                             1e3 / (ns * static_cast<double>(state.true_pairs) / static_cast<double>(state.particles)));
+  };
+  line("a  fused scalar loop over cells", times.fused_cells);
+  line("b  best monolith fused by hand, same list", times.fused_best);
+  line("c  three loaded plugins", *times.plugins);
+  std::cout << fmt::format("price of the boundary c/b = {:.2f}, ahead of the usual way a/c = {:.2f}\n", times.price(),
+                           times.gain());
+  if (!request.json.empty()) {
+    const nlohmann::ordered_json json{
+        {"particles", state.particles},
+        {"neighbours", static_cast<double>(state.true_pairs) / static_cast<double>(state.particles)},
+        {"repeats", request.repeats},
+        {"fused_cells_ns_per_pair", times.fused_cells},
+        {"fused_best_ns_per_pair", times.fused_best},
+        {"plugins_ns_per_pair", *times.plugins},
+        {"price", times.price()},
+        {"gain", times.gain()},
+        {"relative_difference", difference}};
+    write_atomically(request.json, json.dump(2) + "\n");
+  }
+  return exit_good;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("bench", "Measure the program on this machine");
+  command->require_subcommand(1);
+  auto* boundary = command->add_subcommand(
+      "boundary",
+      "Plugins against the best hand-written monolith and against the usual way: CPU time, interleaved, medians");
+  auto request = std::make_shared<BoundaryRequest>();
+  boundary->add_option("--json", request->json, "Write the figures to this file");
+  boundary->add_option("--repeats", request->repeats, "Timed repetitions of each side")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  boundary->add_option("--along", request->along, "Particles along one side of the square")
+      ->check(CLI::Range(20, 2000))
+      ->capture_default_str();
+  boundary->add_option("--plugin-path", request->plugin_path, "Folder with further plugins (may be repeated)")
+      ->take_all()
+      ->allow_extra_args(false);
+  boundary->callback([request, &code] {
+    try {
+      code = bench_boundary(*request);
+    } catch (const std::exception& error) {
+      std::cerr << error.what() << "\n";
+      code = exit_bad_input;
+    }
+  });
+}
+
+}  // namespace riffle
