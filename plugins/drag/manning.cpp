@@ -1,0 +1,42 @@
+// Bed friction after Manning, eq. 11 of Diwakar & Mohapatra (2023):
+//
+//   S_f = n^2 u |u| / h^(4/3),   du/dt = -g S_f = -lambda u   with   lambda = g n^2 |u| / h^(4/3)   [1/s]
+//
+// Given as a rate, it can only dissipate; applied point-implicitly (the default) it bounds no time step, however thin
+// the water.
+// Not in it: the side walls (h stands for the hydraulic radius), and the laminar limit of very thin water, where n is
+// no constant and the friction of a front is overestimated.
+#include <cmath>
+#include <riffle/sdk.hpp>
+
+namespace f = riffle::fields;
+
+struct Manning {
+  static constexpr auto id = "manning", kind = "drag", version = "1.0.0";
+  static constexpr auto summary = "Bed friction after Manning, for shallow-water sets";
+  static constexpr auto source = "Manning (1891); Diwakar & Mohapatra (2023) eq. 11";
+  static constexpr auto leaves_out = "side walls: h stands for the hydraulic radius; laminar flow in very thin water";
+  static constexpr std::uint32_t dims = 1u << 1 | 1u << 2;
+
+  static constexpr riffle_parameter parameters[] = {
+      riffle::real("roughness", "s.m-1/3", 0.03, 0, 1,
+                   "Manning's n: 0.01 for glass, 0.013 for concrete, 0.03 for gravel"),
+      riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN)};
+  static constexpr riffle_read reads[] = {riffle::at_i(f::velocity), riffle::at_i(f::depth)};
+  static constexpr riffle_write writes[] = {riffle::sum(f::drag_rate)};
+
+  explicit Manning(const riffle::Values& v)
+      : factor(v.number("gravity") * v.number("roughness") * v.number("roughness")) {}
+
+  void run(const riffle::Block& b) const {
+    const double *u = b.in(0, 0), *v = b.dim() > 1 ? b.in(0, 1) : nullptr, *depth = b.in(1);
+    double* rate = b.out(0);
+    for (std::int64_t k = 0; k < b.size(); ++k) {
+      const double speed = v == nullptr ? std::abs(u[k]) : std::sqrt(u[k] * u[k] + v[k] * v[k]);
+      rate[k] += factor * speed / (depth[k] * std::cbrt(depth[k]));
+    }
+  }
+  double factor;
+};
+
+RIFFLE_PLUGIN(Manning)
