@@ -117,7 +117,8 @@ struct MirrorWall {
 #pragma omp simd reduction(max : zone, bound)
     for (std::int64_t k = 0; k < e.count; ++k) {
       const double distance = inward * (x[k] - position), past = e.reach[k] - distance;
-      const double counted = (e.role[k] == RIFFLE_FLUID) | (distance >= 0) ? past : 0.0;
+      const bool counts = (e.role[k] == RIFFLE_FLUID) | (distance >= 0);
+      const double counted = counts ? past : 0.0;
       zone = counted > zone ? counted : zone;
       bound = e.reach[k] > bound ? e.reach[k] : bound;
     }

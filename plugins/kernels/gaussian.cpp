@@ -29,12 +29,12 @@ struct Gaussian : riffle::RadialKernel<Gaussian> {
   template <int>
   static double w(double q) {
     const double u = 9 - std::min(9.0, q * q);
-    return std::max(0.0, e9 * (exponential(u) - (1 + u * (1 + 0.5 * u))));
+    return q < 3 ? std::max(0.0, e9 * (exponential(u) - (1 + u * (1 + 0.5 * u)))) : 0.0;
   }
   template <int>
   static double w1(double q) {
     const double u = 9 - std::min(9.0, q * q);
-    return -2 * std::max(0.0, e9 * (exponential(u) - (1 + u)));
+    return q < 3 ? -2 * std::max(0.0, e9 * (exponential(u) - (1 + u))) : 0.0;
   }
   template <int>
   static double w2(double q) {
