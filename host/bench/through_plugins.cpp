@@ -22,7 +22,7 @@ struct ThroughPlugins::Parts {
 
 ThroughPlugins::~ThroughPlugins() = default;
 
-ThroughPlugins::ThroughPlugins(const BenchState& state, const Registry& registry, double skin)
+ThroughPlugins::ThroughPlugins(const BenchState& state, const Registry& registry, double skin, std::int64_t block)
     : parts_(std::make_unique<Parts>()) {
   omp_set_num_threads(1);
   Parts& p = *parts_;
@@ -70,7 +70,7 @@ ThroughPlugins::ThroughPlugins(const BenchState& state, const Registry& registry
   const double spacing = physics.smoothing_length / 1.41;
   std::fill_n(store.data("cell_measure"), state.particles, spacing * spacing);
   p.neighbourhood = std::make_unique<Neighbourhood>(store, 2.0, skin, nullptr);
-  p.evaluator = std::make_unique<Evaluator>(*p.graph, store, *p.neighbourhood, RunnerOptions{});
+  p.evaluator = std::make_unique<Evaluator>(*p.graph, store, *p.neighbourhood, RunnerOptions{256, block});
   p.evaluator->run_initial_passes();
   std::fill_n(store.data("smoothing_length"), state.particles, physics.smoothing_length);
   set("velocity", 0, state.u);

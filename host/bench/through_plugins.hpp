@@ -13,7 +13,7 @@ class ThroughPlugins {
  public:
   // Particles of `state`, equations "wcsph", kernel "wendland-c2" and viscosity "monaghan" of the registry, one thread.
   // Throws std::runtime_error when one of them is missing.
-  ThroughPlugins(const BenchState& state, const Registry& registry, double skin);
+  ThroughPlugins(const BenchState& state, const Registry& registry, double skin, std::int64_t block = 0);
   ~ThroughPlugins();
 
   // One evaluation of acceleration and density rate: state equation, packing and the sweep; the list stays.

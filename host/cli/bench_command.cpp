@@ -25,7 +25,7 @@ struct BoundaryRequest {
   std::vector<std::filesystem::path> plugin_path;
   std::filesystem::path json;
   int repeats = 15;
-  std::int64_t along = 400;
+  std::int64_t along = 400, block = 0;
 };
 
 void warn_of_slow_loops(const Registry& registry) {
@@ -44,7 +44,7 @@ void warn_of_slow_loops(const Registry& registry) {
 int bench_boundary(const BoundaryRequest& request) {
   const Registry registry = open_registry(request.plugin_path, "");
   const bench::BenchState state = bench::make_state(request.along, skin);
-  bench::ThroughPlugins plugins(state, registry, skin);
+  bench::ThroughPlugins plugins(state, registry, skin, request.block);
   bench::BenchRates best(state.particles), ours(state.particles);
   bench::FusedBest fused(state);
   fused(best);
@@ -103,6 +103,9 @@ void add_bench(CLI::App& app, int& code) {
       ->capture_default_str();
   boundary->add_option("--along", request->along, "Particles along one side of the square")
       ->check(CLI::Range(20, 2000))
+      ->capture_default_str();
+  boundary->add_option("--block", request->block, "Pairs per block; 0: as the program chooses")
+      ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   boundary->add_option("--plugin-path", request->plugin_path, "Folder with further plugins (may be repeated)")
       ->take_all()

@@ -1,6 +1,5 @@
 #include "host/schedule/gather.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 namespace riffle {
@@ -17,24 +16,35 @@ inline void transpose(v4& a, v4& b, v4& c, v4& d) {
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-template <int Dim, bool Approach, int Quads, int Stride>
+inline v4 root4(v4 a) {
+  return v4{__builtin_sqrt(a[0]), __builtin_sqrt(a[1]), __builtin_sqrt(a[2]), __builtin_sqrt(a[3])};
+}
+
+template <int Dim, bool Approach, int Quads, int Own, int Stride>
 std::int64_t gather_block(const GatherArguments& g) {
   constexpr int record = 4 * Quads;
   constexpr int head = Approach ? 2 * Dim : Dim;
+  constexpr int first_own = Dim + 3 + record - head;
+  const double* records = g.records;
+  const std::int32_t* neighbour = g.neighbour;
+  const std::int64_t* begin = g.begin;
+  const std::int64_t last = g.last;
+  const int own_count = Own >= 0 ? Own : g.own_count;
   double* w = g.arena;
-  for (std::int64_t i = g.first; i < g.last; ++i) {
-    const double* own = g.records + i * record;
-    v4 xi[Dim], ui[Dim];
+  for (std::int64_t i = g.first; i < last; ++i) {
+    const double* mine = records + i * record;
+    v4 xi[Dim], ui[Dim], own[gathered_own];
     for (int c = 0; c < Dim; ++c) {
-      xi[c] = all4(own[c]);
-      ui[c] = Approach ? all4(own[Dim + c]) : all4(0.0);
+      xi[c] = all4(mine[c]);
+      ui[c] = Approach ? all4(mine[Dim + c]) : all4(0.0);
     }
-    const std::int32_t* end = g.neighbour + g.begin[i + 1];
-    for (const std::int32_t* j = g.neighbour + g.begin[i]; j != end; j += 4, w += 4) {
-      const double* a = g.records + static_cast<std::int64_t>(j[0]) * record;
-      const double* b = g.records + static_cast<std::int64_t>(j[1]) * record;
-      const double* c = g.records + static_cast<std::int64_t>(j[2]) * record;
-      const double* d = g.records + static_cast<std::int64_t>(j[3]) * record;
+    for (int o = 0; o < own_count; ++o) own[o] = all4(g.own[o][i]);
+    const std::int32_t* end = neighbour + begin[i + 1];
+    for (const std::int32_t* j = neighbour + begin[i]; j != end; j += 4, w += 4) {
+      const double* a = records + static_cast<std::int64_t>(j[0]) * record;
+      const double* b = records + static_cast<std::int64_t>(j[1]) * record;
+      const double* c = records + static_cast<std::int64_t>(j[2]) * record;
+      const double* d = records + static_cast<std::int64_t>(j[3]) * record;
       v4 s[record];
 #pragma GCC unroll 8
       for (int q = 0; q < Quads; ++q) {
@@ -53,51 +63,64 @@ std::int64_t gather_block(const GatherArguments& g) {
         if constexpr (Approach) vr += (ui[k] - s[Dim + k]) * dx;
       }
       store4(w + (Dim + 1) * Stride, r2);
+      store4(w + Dim * Stride, root4(r2));  // here, and not in a loop of its own: it overlaps with the loads
       if constexpr (Approach) store4(w + (Dim + 2) * Stride, vr);
 #pragma GCC unroll 32
       for (int k = head; k < record; ++k) store4(w + (Dim + 3 + k - head) * Stride, s[k]);
+#pragma GCC unroll 4
+      for (int o = 0; o < own_count; ++o) store4(w + (first_own + o) * Stride, own[o]);
     }
   }
-  const std::int64_t n = w - g.arena;
-  const double* r2 = g.arena + (Dim + 1) * Stride;
-  double* r = g.arena + Dim * Stride;
-#pragma omp simd
-  for (std::int64_t k = 0; k < n; ++k) r[k] = std::sqrt(r2[k]);
-  return n;
+  return w - g.arena;
+}
+
+template <int Dim, bool Approach, int Quads, int Stride>
+GatherFunction by_own(int own) {
+  if constexpr (Quads > 3 || Stride > 500)
+    return &gather_block<Dim, Approach, Quads, -1, Stride>;
+  else {
+    switch (own) {
+      case 0: return &gather_block<Dim, Approach, Quads, 0, Stride>;
+      case 1: return &gather_block<Dim, Approach, Quads, 1, Stride>;
+      case 2: return &gather_block<Dim, Approach, Quads, 2, Stride>;
+      default: return &gather_block<Dim, Approach, Quads, 3, Stride>;
+    }
+  }
 }
 
 template <int Dim, bool Approach, int Stride>
-std::int64_t by_quads(const GatherArguments& g) {
-  switch (g.quads) {
-    case 1: return gather_block < Dim, Approach, Approach && Dim == 3 ? 2 : 1, Stride > (g);
-    case 2: return gather_block<Dim, Approach, 2, Stride>(g);
-    case 3: return gather_block<Dim, Approach, 3, Stride>(g);
-    case 4: return gather_block<Dim, Approach, 4, Stride>(g);
-    case 5: return gather_block<Dim, Approach, 5, Stride>(g);
-    case 6: return gather_block<Dim, Approach, 6, Stride>(g);
+GatherFunction by_quads(int quads, int own) {
+  constexpr int least = Approach && Dim == 3 ? 2 : 1;
+  switch (quads) {
+    case 1: return by_own<Dim, Approach, least, Stride>(own);
+    case 2: return by_own<Dim, Approach, 2, Stride>(own);
+    case 3: return by_own<Dim, Approach, 3, Stride>(own);
+    case 4: return by_own<Dim, Approach, 4, Stride>(own);
+    case 5: return by_own<Dim, Approach, 5, Stride>(own);
+    case 6: return by_own<Dim, Approach, 6, Stride>(own);
     default: throw std::logic_error("a group of pair passes reads more than 24 numbers of each neighbour");
   }
 }
 
 template <int Stride>
-std::int64_t by_dim(const GatherArguments& g) {
-  switch (2 * g.dim + (g.approach ? 1 : 0)) {
-    case 2: return by_quads<1, false, Stride>(g);
-    case 3: return by_quads<1, true, Stride>(g);
-    case 4: return by_quads<2, false, Stride>(g);
-    case 5: return by_quads<2, true, Stride>(g);
-    case 6: return by_quads<3, false, Stride>(g);
-    default: return by_quads<3, true, Stride>(g);
+GatherFunction by_dim(int dim, bool approach, int quads, int own) {
+  switch (2 * dim + (approach ? 1 : 0)) {
+    case 2: return by_quads<1, false, Stride>(quads, own);
+    case 3: return by_quads<1, true, Stride>(quads, own);
+    case 4: return by_quads<2, false, Stride>(quads, own);
+    case 5: return by_quads<2, true, Stride>(quads, own);
+    case 6: return by_quads<3, false, Stride>(quads, own);
+    default: return by_quads<3, true, Stride>(quads, own);
   }
 }
 
 }  // namespace
 
-std::int64_t gather(const GatherArguments& arguments, int stride) {
+GatherFunction choose_gather(int dim, bool approach, int quads, int own_count, int stride) {
   switch (stride) {
-    case strides[0]: return by_dim<strides[0]>(arguments);
-    case strides[1]: return by_dim<strides[1]>(arguments);
-    default: return by_dim<strides[2]>(arguments);
+    case strides[0]: return by_dim<strides[0]>(dim, approach, quads, own_count);
+    case strides[1]: return by_dim<strides[1]>(dim, approach, quads, own_count);
+    default: return by_dim<strides[2]>(dim, approach, quads, own_count);
   }
 }
 

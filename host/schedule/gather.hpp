@@ -10,23 +10,28 @@
 
 namespace riffle {
 
+// Own values that the gather repeats for each pair of a particle; further ones are filled in afterwards.
+inline constexpr int gathered_own = 3;
+
 struct GatherArguments {
-  int dim = 1;
-  bool approach = false;
-  int quads = 1;                            // record size / 4
-  const double* records = nullptr;          // [all + 1] records
+  const double* records = nullptr;          // [all + 1] records of 4 * quads doubles
   const std::int32_t* neighbour = nullptr;  // the list's entries
   const std::int64_t* begin = nullptr;      // offsets per particle
-  std::int64_t first = 0, last = 0;         // targets of the block
-  double* arena = nullptr;                  // arrays of `stride` doubles
+  const double* own[gathered_own] = {};     // [owned]
+  int own_count = 0;
+  std::int64_t first = 0, last = 0;  // targets of the block
+  double* arena = nullptr;  // arrays of `stride` doubles: separation, distance, its square, approach, slots, own
 };
 
 // Lengths of a block's arrays that are compiled in; the constant keeps addresses in the instructions.
 inline constexpr int strides[] = {136, 264, 1064};
 
-// Fills separation, distance, distance squared, approach and the slots for all pairs of the block.
-// Returns the number of pairs, padding included.
-std::int64_t gather(const GatherArguments& arguments, int stride);
+// Fills the arrays for all pairs of the block. Returns the number of pairs, padding included.
+using GatherFunction = std::int64_t (*)(const GatherArguments&);
+
+// `approach`: records hold velocity behind position, and its projection is wanted. Throws std::logic_error when a
+// record would be longer than 24 doubles.
+GatherFunction choose_gather(int dim, bool approach, int quads, int own_count, int stride);
 
 // A vector of four doubles; GCC and Clang turn it into whatever the machine has.
 using v4 = double __attribute__((vector_size(32)));
@@ -43,15 +48,11 @@ inline v4 all4(double x) {
   return v4{x, x, x, x};
 }
 
-// Sum over the true pairs of a segment, in one fixed order: four lanes, then across.
-inline double sum_segment(const double* values, std::int64_t count) {
+// The first `count` lanes (1 to 3), zeros in the others, whatever is there.
+inline v4 first_lanes(v4 v, std::int64_t count) {
   using m4 = std::int64_t __attribute__((vector_size(32)));
-  static constexpr m4 tail[4] = {m4{0, 0, 0, 0}, m4{-1, 0, 0, 0}, m4{-1, -1, 0, 0}, m4{-1, -1, -1, 0}};
-  v4 sum = all4(0.0);
-  const std::int64_t whole = count & ~std::int64_t{3};
-  for (std::int64_t k = 0; k < whole; k += 4) sum += load4(values + k);
-  if (count != whole) sum += reinterpret_cast<v4>(reinterpret_cast<m4>(load4(values + whole)) & tail[count & 3]);
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  static constexpr m4 mask[4] = {m4{0, 0, 0, 0}, m4{-1, 0, 0, 0}, m4{-1, -1, 0, 0}, m4{-1, -1, -1, 0}};
+  return reinterpret_cast<v4>(reinterpret_cast<m4>(v) & mask[count]);
 }
 
 // Columns become records: record i holds columns[0][i], columns[1][i], ..., then zeros, for first <= i < last.

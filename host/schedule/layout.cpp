@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "host/schedule/gather.hpp"
+
 namespace riffle {
 
 namespace {
@@ -26,6 +28,8 @@ class Maker {
     const int head = layout_.dim * (layout_.approach ? 2 : 1);
     layout_.quads = (head + static_cast<int>(layout_.slots.size()) + 3) / 4;
     layout_.arrays = layout_.first_slot + layout_.quads * 4 - head;
+    layout_.first_own = layout_.arrays;
+    layout_.arrays += gathered_own;
     for (const int n : group.producers) outputs_of_producer(n);
     request_ = group.request;
     for (const int n : members)
@@ -80,7 +84,8 @@ class Maker {
     const auto key = std::make_tuple(static_cast<int>(kind), s.field, s.component, s.inverse_length);
     const auto found = made_.find(key);
     if (found != made_.end()) return found->second;
-    const int to = layout_.arrays++;
+    const bool gathered = kind == GatherOp::Kind::own && layout_.own_count < gathered_own;
+    const int to = gathered ? layout_.first_own + layout_.own_count++ : layout_.arrays++;
     layout_.ops.push_back({kind, to, kind == GatherOp::Kind::own ? -1 : slot_array(s), s});
     made_[key] = to;
     return to;

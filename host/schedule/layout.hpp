@@ -58,6 +58,7 @@ struct GroupLayout {
   int quads = 1;                                  // 4-double pieces of a record
   std::vector<Source> slots;                      // after position (and velocity): slot k is array first_slot + k
   int first_slot = 0;                             // array of the first slot
+  int first_own = 0, own_count = 0;               // arrays of own values that the gather itself repeats, and how many
   int arrays = 0;                                 // all arrays
   std::vector<std::pair<int, double>> constants;  // arrays that never change: uniform fields
   std::vector<GatherOp> ops;

@@ -45,7 +45,8 @@ bool LineGroup::possible(const GroupLayout& layout, const NeighbourRequest& requ
   return layout.dim == 1 && layout.keeps.empty() && (request.targets & request.sources & RIFFLE_FLUID) != 0;
 }
 
-LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request)
+LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request,
+                     const std::set<int>& written_before)
     : graph_(graph), layout_(layout), reach_(request.reach) {
   places_.resize(static_cast<std::size_t>(layout.arrays));
   for (std::size_t k = 0; k < layout.slots.size(); ++k) {
@@ -56,6 +57,10 @@ LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const Neighb
     if (op.kind == GatherOp::Kind::own) places_[static_cast<std::size_t>(op.to)] = {column, false};
   }
   columns_.resize(first_column + sources_.size());
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    if (!sources_[k].inverse_length && written_before.count(sources_[k].field) != 0)
+      late_.push_back({first_column + static_cast<int>(k), nullptr});
+  }
 }
 
 LineGroup::~LineGroup() = default;
@@ -123,6 +128,7 @@ void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& im
     std::copy(values, values + n, to + start_);
     for (std::int64_t k = 0; k < on_right; ++k) to[start_ + n + k] = values[right[static_cast<std::size_t>(k)]];
     std::fill(to + end, to + end + margin, position ? far : values[0]);
+    for (std::int64_t k = 0; position && k < margin; ++k) to[end + k] *= static_cast<double>(k + 1);  // far apart, too
   };
   fill(x_column, x, true);
   if (layout_.approach) fill(u_column, store.data("velocity"), false);
@@ -139,6 +145,7 @@ void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& im
   std::fill(reach + end, reach + end + margin, -1.0);
   for (std::size_t k = 0; k < sources_.size(); ++k)
     fill(first_column + static_cast<int>(k), source(sources_[k]), false);
+  for (Late& late : late_) late.from = source(sources_[static_cast<std::size_t>(late.column - first_column)]);
   while (static_cast<int>(threads_.size()) < threads) threads_.push_back(make_thread());
 }
 
@@ -151,7 +158,7 @@ void LineGroup::point(Thread& local, std::int64_t i, std::int64_t j) const {
 
 // Closures and passes for the pairs (i + k, j + k), k < n, whose geometry is in the arena.
 bool LineGroup::evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int64_t n, std::int64_t first, double time,
-                         double dt, Failure& failure) const {
+                         double dt, GroupFailure& failure) const {
   const auto array = [&](int a) { return local.arena.data() + static_cast<std::ptrdiff_t>(a) * (stretch + 8); };
   const auto column = [&](const Source& s) {
     const auto found = std::find(sources_.begin(), sources_.end(), s) - sources_.begin();
@@ -200,12 +207,16 @@ bool LineGroup::evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int
   return true;
 }
 
-LineGroup::Failure LineGroup::run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
-                                  const std::function<double*(const Reduction&)>& field) {
+GroupFailure LineGroup::run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
+                            const std::function<double*(const Reduction&)>& field) {
   Thread& local = *threads_[static_cast<std::size_t>(thread)];
   const auto array = [&](int a) { return local.arena.data() + static_cast<std::ptrdiff_t>(a) * (stretch + 8); };
   double *dx = array(0), *r = array(layout_.r()), *r2 = array(layout_.r2()), *vr = array(layout_.vr());
-  Failure failure;
+  GroupFailure failure;
+  for (const Late& late : late_) {
+    std::copy(late.from + first, late.from + last,
+              columns_[static_cast<std::size_t>(late.column)].data() + start_ + first);
+  }
   for (std::int64_t b = first; b < last; b += stretch) {
     const std::int64_t count = std::min(stretch, last - b), n = round_up(count, 8), i = start_ + b;
     for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {

@@ -7,9 +7,11 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "host/schedule/group_failure.hpp"
 #include "host/schedule/images.hpp"
 #include "host/schedule/layout.hpp"
 
@@ -17,7 +19,9 @@ namespace riffle {
 
 class LineGroup {
  public:
-  LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request);
+  // `written_before`: fields that earlier stages of the same sweep write; own values of them are fetched chunk by chunk.
+  LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request,
+            const std::set<int>& written_before);
   ~LineGroup();
 
   // What a group must not have to be run on a line: pair fields that are kept for the whole list.
@@ -27,14 +31,10 @@ class LineGroup {
   void prepare(const ParticleStore& store, const std::vector<Image>& images, double kappa, int threads,
                const std::function<const double*(const Source&)>& source);
 
-  struct Failure {
-    int node = -1;
-    std::string message;
-  };
   // All passes of the group for the owned particles [first, last). `field`: where a reduction goes. Returns the first
   // failure, if any.
-  Failure run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
-              const std::function<double*(const Reduction&)>& field);
+  GroupFailure run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
+                   const std::function<double*(const Reduction&)>& field);
 
  private:
   struct Thread;
@@ -46,7 +46,7 @@ class LineGroup {
   std::unique_ptr<Thread> make_thread() const;
   void point(Thread& local, std::int64_t i, std::int64_t j) const;
   bool evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int64_t n, std::int64_t first, double time,
-                double dt, Failure& failure) const;
+                double dt, GroupFailure& failure) const;
 
   const Graph& graph_;
   const GroupLayout& layout_;
@@ -55,6 +55,11 @@ class LineGroup {
   std::vector<Place> places_;    // per array
   std::vector<AlignedArray> columns_;
   std::int64_t start_ = 0;  // column index of the first owned particle
+  struct Late {
+    int column = 0;
+    const double* from = nullptr;
+  };
+  std::vector<Late> late_;  // columns of fields that the sweep itself has just written
   double largest_reach_ = 0;
   std::vector<std::unique_ptr<Thread>> threads_;
 };

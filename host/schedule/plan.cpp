@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "host/schedule/graph_tables.hpp"
+
 namespace riffle {
 
 namespace {
@@ -27,8 +29,10 @@ class Builder {
     while (!left.empty()) {
       const auto ready = [&](int n) {
         const bool inside = current_iteration_ < 0 || node(n).iteration == current_iteration_;
-        return inside && std::all_of(node(n).depends.begin(), node(n).depends.end(),
-                                     [&](int d) { return all.count(d) == 0 || done.count(d) != 0; });
+        return inside &&
+               std::all_of(node(n).depends.begin(), node(n).depends.end(),
+                           [&](int d) { return all.count(d) == 0 || done.count(d) != 0; }) &&
+               std::none_of(left.begin(), left.end(), [&](int other) { return adds_before(other, n); });
       };
       auto next = std::find_if(left.begin(), left.end(), [&](int n) { return ready(n) && joins(n); });
       if (next == left.end()) {
@@ -55,7 +59,19 @@ class Builder {
     if (sweep_.nodes.empty()) return false;
     if (node(n).global || sweep_.global >= 0) return false;
     if (node(n).iteration != sweep_.iteration) return false;
+    if (node(n).pair && written_.count(graph_.field("smoothing_length")) != 0) return false;  // the list is another now
+    if (node(n).pair && written_.count(graph_.field("smoothing_length")) != 0) return false;  // supports, and the list
     return !meet(graph_.particle_reads(n, true), written_);
+  }
+
+  // Contributions to one sum are added in one order, whatever else is stale: else the last bits would depend on it.
+  [[nodiscard]] bool adds_before(int first, int second) const { return first < second && share_a_sum(first, second); }
+  [[nodiscard]] bool share_a_sum(int a, int b) const {
+    if ((node(a).targets & node(b).targets) == 0) return false;
+    return std::any_of(node(a).writes.begin(), node(a).writes.end(), [&](const NodeWrite& w) {
+      return std::any_of(node(b).writes.begin(), node(b).writes.end(),
+                         [&](const NodeWrite& other) { return other.field == w.field; });
+    });
   }
 
   void add(int n) {
@@ -66,9 +82,7 @@ class Builder {
     }
     sweep_.nodes.push_back(n);
     plan_.nodes.push_back(n);
-    for (const int p : added.pair_producers) {
-      if (std::find(plan_.nodes.begin(), plan_.nodes.end(), p) == plan_.nodes.end()) plan_.nodes.push_back(p);
-    }
+    for (const int p : added.pair_producers) add_once(plan_.nodes, p);
     if (added.global) {
       sweep_.global = n;
     } else if (!added.pair) {
@@ -91,6 +105,7 @@ class Builder {
         for (const auto& w : node(m).writes) later.insert(w.field);
       }
       if (meet(own, later)) break;
+      if (s->group < 0 && share_a_sum(s->node, n)) break;
       if (s->group >= 0) {
         const auto& group = sweep_.groups[static_cast<std::size_t>(s->group)];
         if (group.request.reach == request.reach && group.request.targets == request.targets &&
@@ -106,16 +121,12 @@ class Builder {
       sweep_.stages.push_back({host, -1});
     }
     auto& group = sweep_.groups[static_cast<std::size_t>(host)];
-    if (added.makes_pair_field) {  // kept for a global pass; evaluated as the closures are
-      if (std::find(group.producers.begin(), group.producers.end(), n) == group.producers.end())
-        group.producers.push_back(n);
-      return;
-    }
-    group.nodes.push_back(n);
-    for (const int p : added.pair_producers) {
-      if (std::find(group.producers.begin(), group.producers.end(), p) == group.producers.end())
-        group.producers.push_back(p);
-    }
+    for (const int p : added.pair_producers) add_once(group.producers, p);
+    // one that is kept for a global pass is evaluated as the closures are
+    if (added.makes_pair_field)
+      add_once(group.producers, n);
+    else
+      group.nodes.push_back(n);
   }
 
   void close() {

@@ -56,14 +56,16 @@ class Runner {
   Compiled& compile(const Plan& plan, std::size_t sweep);
   std::set<std::pair<int, int>> who_overwrites(const Plan& plan, std::size_t index,
                                                std::vector<int>& zero_fields) const;
-  void pack(Group& group);
+  void prepare(Group& group, const ListProvider& lists, const std::vector<Image>& images, int threads);
   void run_group(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
-  void run_line(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
-  void run_particles(const PassNode& node, bool zero, std::int64_t first, std::int64_t last, double time, double dt);
+  void clear(int field, std::uint32_t roles);
+  void run_particles(const PassNode& node, const std::set<int>& zero, std::int64_t first, std::int64_t last,
+                     double time, double dt);
   void run_global(const PassNode& node, const ListProvider& lists, const std::vector<Image>& images, double time,
                   double dt);
   void fail(const PassNode& node, const std::string& message);
   [[nodiscard]] const PassNode& node(int n) const { return graph_.nodes()[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] double* component(int field, int component) const;
   [[nodiscard]] const double* source(const Source& s) const;
 
   const Graph& graph_;

@@ -72,7 +72,7 @@ struct Wcsph {
   struct Rates {
     static constexpr auto pass_name = "continuity and momentum";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
-    static constexpr riffle_read reads[] = {riffle::mean(pressure_term),
+    static constexpr riffle_read reads[] = {riffle::at_i(pressure_term),
                                             riffle::at_i(f::kernel_gradient),
                                             riffle::pair(f::separation),
                                             riffle::pair(f::approach),
@@ -82,7 +82,8 @@ struct Wcsph {
                                             riffle::at_i(f::density),
                                             riffle::at_j(f::density),
                                             riffle::at_i(f::smoothing_length),
-                                            riffle::pair(f::viscous_pressure, RIFFLE_OPTIONAL)};
+                                            riffle::pair(f::viscous_pressure, RIFFLE_OPTIONAL),
+                                            riffle::at_j(pressure_term)};
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration), riffle::sum(f::density_rate)};
     static void run(const Wcsph& s, const riffle::Block& b) {
       if (b.dim() == 2)
@@ -95,14 +96,14 @@ struct Wcsph {
       const double *term = b.in(0), *gradient = b.in(1), *approach = b.in(3), *r2 = b.in(4), *mass = b.in(5);
       const double *volume = b.in(6), *rho_i = b.in(7), *rho_j = b.in(8), *l = b.in(9);
       const double *x = b.in(2, 0), *y = b.in(2, 1), *z = Dim == 3 ? b.in(2, Dim - 1) : x;
-      const double* viscous = Viscous ? b.in(10) : term;
+      const double *viscous = Viscous ? b.in(10) : term, *term_j = b.in(11);
       double *ax = b.out(0, 0), *ay = b.out(0, 1), *az = Dim == 3 ? b.out(0, Dim - 1) : ax, *rate = b.out(1);
       const double diffusion = 2 * s.delta * s.c0;
       RIFFLE_EACH(k, b) {
         const double mf = mass[k] * gradient[k];
         const double sum = rho_i[k] + rho_j[k];
         const double pi = Viscous ? 2 * viscous[k] / sum : 0.0;
-        const double a = -(2 * term[k] + pi) * mf;
+        const double a = -(term[k] + term_j[k] + pi) * mf;
         ax[k] = a * x[k];
         ay[k] = a * y[k];
         if (Dim == 3) az[k] = a * z[k];
