@@ -76,6 +76,7 @@ std::vector<ManifestKey> make_keys() {
   const ParameterType text = ParameterType::text;
   ManifestKey name = required(key("case", "name", text, "short name; the folder of the run is called after it"));
   name.pattern = "[a-z0-9][a-z0-9.-]*";
+  name.pattern_in_words = "a word of a-z, 0-9, - and . that begins with a letter or digit";
   ManifestKey perturbation = with_default(
       real("initial.particles", "perturbation", "1", 0, 0.5, "largest random displacement over the local spacing"), 0);
   perturbation.value.below_max = true;
@@ -138,7 +139,7 @@ std::string values_in_words(const ManifestKey& key) {
   if (key.form == Form::words) return "array of texts";
   if (key.form == Form::limits) return "table of quantities";
   if (key.value.type == ParameterType::function) return "a function (see below)";
-  const std::string rule = rule_in_words(key.value, 1);
+  const std::string rule = key.pattern.empty() ? rule_in_words(key.value, 1) : key.pattern_in_words;
   return key.form == Form::interval ? fmt::format("[low, high], each {}", rule) : rule;
 }
 

@@ -22,6 +22,7 @@ struct ManifestKey {
   Form form = Form::single;
   bool optional = false;  // may be absent, and then there is no value
   std::string pattern;    // regular expression that a text must match, or empty
+  std::string pattern_in_words;
   [[nodiscard]] std::string path() const { return table + '.' + value.name; }
 };
 

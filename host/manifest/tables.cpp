@@ -16,14 +16,15 @@ std::string rule_of(const ManifestKey& key, int dim) {
   return key.form == ManifestKey::Form::interval ? "[low, high], each " + rule : rule;
 }
 
-// "dam-break" for "Dam Break 2".
-std::string in_small_letters(const std::string& text) {
+// What a name could have been: "dam-break-0.5" for "Dam Break 0.5".
+std::string as_name(const std::string& text) {
   std::string out;
   for (const char c : text) {
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c == '.' && !out.empty());
     if (c >= 'A' && c <= 'Z') {
       out += static_cast<char>(c - 'A' + 'a');
-    } else {
-      out += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
+    } else if (kept || !out.empty()) {
+      out += kept ? c : '-';
     }
   }
   return out;
@@ -71,9 +72,9 @@ class KeyReader {
   std::optional<OwnValue> single(const Node& node) {
     const auto read = read_value(reading_, node, path_, key_.value);
     if (read && !key_.pattern.empty() && !std::regex_match(read->value.text, std::regex(key_.pattern))) {
-      const std::string suggestion = in_small_letters(read->value.text);
+      const std::string suggestion = as_name(read->value.text);
       reading_.mistakes.add(node.place,
-                            fmt::format("{} must match {}, got {}{}", path_, key_.pattern, node.shown(),
+                            fmt::format("{} must be {}, got {}{}", path_, key_.pattern_in_words, node.shown(),
                                         suggestion.empty() ? "" : "; did you mean \"" + suggestion + "\"?"));
       return std::nullopt;
     }

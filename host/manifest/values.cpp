@@ -183,6 +183,11 @@ std::optional<ReadValue> default_value(Reading& reading, const Place& table, con
       return std::nullopt;
     }
     number = found->second;
+    if (!range_of(description).contains(number)) {
+      reading.mistakes.add(table, fmt::format("{} must be {}, got {} from {}", key,
+                                              rule_in_words(description, reading.dim), number, description.inherit));
+      return std::nullopt;
+    }
   }
   ReadValue read;
   switch (description.type) {

@@ -19,8 +19,8 @@ struct ReadValue {
 std::optional<ReadValue> read_value(Reading& reading, const Node& node, const std::string& key,
                                     const ParameterDescription& description);
 
-// What holds when the manifest is silent. A default that is inherited from a quantity that this case does not have is a
-// mistake, placed at `table`.
+// What holds when the manifest is silent. A default that is inherited from a quantity that this case does not have, or
+// that is out of the parameter's range, is a mistake, placed at `table`.
 std::optional<ReadValue> default_value(Reading& reading, const Place& table, const std::string& key,
                                        const ParameterDescription& description);
 

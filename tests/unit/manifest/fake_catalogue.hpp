@@ -47,6 +47,7 @@ class FakeCatalogue : public PluginCatalogue {
     support.fallback_text = "constant";
     ParameterDescription gravity = parameter("gravity", ParameterType::real, "m.s-2", 0, 0, none);
     gravity.inherit = "fluid.gravity";
+    gravity.above_min = true;
     shallow.parameters = {support, gravity};
 
     auto& compressible = add("equations", "compressible", {2, 3});

@@ -38,7 +38,8 @@ end = "6 min"
 )",
                      {"output.pictures=false"}),
             (Lines{
-                "case.toml:2:8: case.name must match [a-z0-9][a-z0-9.-]*, got \"Dam Break\"; did you mean \"dam-break\"?",
+                "case.toml:2:8: case.name must be a word of a-z, 0-9, - and . that begins with a letter or digit, got "
+                "\"Dam Break\"; did you mean \"dam-break\"?",
                 "case.toml:3:1: unknown key \"titel\" in [case]; did you mean \"title\"?",
                 "case.toml:6:13: domain.x[1] must be a length [m], got \"200 kg\", which is a mass",
                 "case.toml:7:1: unknown key \"smothing_ratio\" in [domain]; did you mean \"smoothing_ratio\"?",
@@ -97,6 +98,10 @@ TEST_F(ManifestMistakes, UnknownTablesAndKeysGetTheNearestName) {
 TEST_F(ManifestMistakes, WrongTypesSayTheRuleAndTheValue) {
   EXPECT_EQ(when("name = \"dam-break\"", "name = 5"),
             (Lines{"case.toml:2:8: case.name must be a text in quotes, got 5"}));
+  EXPECT_EQ(when("name = \"dam-break\"", "name = \" Wet 0.5\""),
+            (Lines{"case.toml:2:8: case.name must be a word of a-z, 0-9, - and . that begins with a letter or digit, "
+                   "got \" Wet 0.5\"; did you mean "
+                   "\"wet-0.5\"?"}));
   EXPECT_EQ(when("x = [0, 200]", "x = 200"),
             (Lines{"case.toml:5:5: domain.x must be [low, high], each a length [m], got 200"}));
   EXPECT_EQ(when("x = [0, 200]", "x = [0, 100, 200]"),
@@ -263,6 +268,12 @@ TEST_F(ManifestMistakes, ADefaultThatTheCaseDoesNotHaveMustBeGiven) {
       (Lines{
           "case.toml:24:1: plugins.top.roof is missing; it must be a length [m] (its default domain.z_max is not known "
           "here)"}));
+}
+
+TEST_F(ManifestMistakes, AnInheritedValueMustSuitTheParameterToo) {
+  EXPECT_EQ(when("end = 6", "end = 6\n[fluid]\ngravity = 0"),
+            (Lines{"case.toml:12:1: plugins.equations.gravity must be an acceleration above 0 m.s-2, got 0 from "
+                   "fluid.gravity"}));
 }
 
 TEST_F(ManifestMistakes, AMistakeIsNotRepeatedForWhatDependsOnIt) {

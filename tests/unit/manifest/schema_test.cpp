@@ -88,7 +88,7 @@ TEST_F(Schema, EveryPluginHasItsParametersAndNoOthers) {
   EXPECT_EQ(alpha.at("description"), "what alpha means (from 0 to 100)");
   EXPECT_EQ(definition("drag:manning").at("required"), (json{"id", "n"}));
   EXPECT_EQ(definition("equations:shallow-water").at("properties").at("gravity").at("description"),
-            "what gravity means (of at least 0 m.s-2); default: fluid.gravity");
+            "what gravity means (above 0 m.s-2); default: fluid.gravity");
 }
 
 TEST_F(Schema, TheIdOfASlotDecidesWhichParametersItTakes) {
