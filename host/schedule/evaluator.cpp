@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "host/schedule/graph_tables.hpp"
+
 namespace riffle {
 
 namespace {
@@ -27,13 +29,31 @@ Evaluator::Evaluator(const Graph& graph, ParticleStore& store, Neighbourhood& ne
   for (std::size_t n = 0; n < graph.nodes().size(); ++n) {
     const PassNode& node = graph.nodes()[n];
     if (node.initial) continue;
-    std::vector<int> reads = graph.particle_reads(static_cast<int>(n), false);
-    for (const int f : graph.particle_reads(static_cast<int>(n), true)) reads.push_back(f);
-    for (const int f : reads) {
-      auto& list = dependents_[static_cast<std::size_t>(f)];
-      if (std::find(list.begin(), list.end(), static_cast<int>(n)) == list.end()) list.push_back(static_cast<int>(n));
+    std::vector<int> readers{static_cast<int>(n)};  // and the passes that keep pair fields for it
+    for (const auto& read : node.reads) {
+      if (!node.global || read.field < 0) continue;
+      const auto& field = graph.fields()[static_cast<std::size_t>(read.field)];
+      if (field.pair_source == PairSource::pass)
+        readers.insert(readers.end(), field.writers.begin(), field.writers.end());
     }
-    if (node.pair) neighbourhood.require({node.reach, node.targets, node.sources});
+    bool constant = !node.occasional;
+    for (const int reader : readers) {
+      for (const bool neighbours : {false, true}) {
+        for (const int f : graph.particle_reads(reader, neighbours)) {
+          add_once(dependents_[static_cast<std::size_t>(f)], static_cast<int>(n));
+          constant = constant && graph.fields()[static_cast<std::size_t>(f)].attribute;
+        }
+      }
+    }
+    if (constant) of_time_.push_back(static_cast<int>(n));
+  }
+  require_lists(false);
+}
+
+void Evaluator::require_lists(bool initial) {
+  neighbourhood_.forget_requests();
+  for (const PassNode& node : graph_.nodes()) {
+    if (node.pair && node.initial == initial) neighbourhood_.require({node.reach, node.targets, node.sources});
   }
 }
 
@@ -41,25 +61,28 @@ void Evaluator::changed(int field) {
   if (field < 0) return;
   images_current_[static_cast<std::size_t>(field)] = 0;
   if (field == position_ || field == smoothing_length_) lists_current_ = false;
-  for (const int n : dependents_[static_cast<std::size_t>(field)]) {
-    if (stale_[static_cast<std::size_t>(n)] != 0) continue;
-    stale_[static_cast<std::size_t>(n)] = 1;
-    const PassNode& node = graph_.nodes()[static_cast<std::size_t>(n)];
-    if (node.occasional) continue;
-    for (const auto& w : node.writes) {
-      if (graph_.fields()[static_cast<std::size_t>(w.field)].pair_source != PairSource::none) continue;
-      for (const int other :
-           graph_.fields()[static_cast<std::size_t>(w.field)].writers) {  // sums are formed anew as a whole
-        if (stale_[static_cast<std::size_t>(other)] == 0) {
-          stale_[static_cast<std::size_t>(other)] = 1;
-          for (const auto& also : graph_.nodes()[static_cast<std::size_t>(other)].writes) {
-            if (also.field != w.field) changed(also.field);
-          }
-        }
-      }
-      changed(w.field);
-    }
+  if (graph_.fields()[static_cast<std::size_t>(field)].attribute) attributes_changed_ = true;
+  for (const int n : dependents_[static_cast<std::size_t>(field)]) make_stale(n);
+}
+
+void Evaluator::make_stale(int n) {
+  if (stale_[static_cast<std::size_t>(n)] != 0) return;
+  stale_[static_cast<std::size_t>(n)] = 1;
+  const PassNode& node = graph_.nodes()[static_cast<std::size_t>(n)];
+  if (node.occasional) return;
+  for (const auto& w : node.writes) {
+    const GraphField& field = graph_.fields()[static_cast<std::size_t>(w.field)];
+    if (field.pair_source != PairSource::none) continue;
+    for (const int other : field.writers) make_stale(other);  // sums are formed anew as a whole
+    changed(w.field);
   }
+}
+
+// Nothing that such a pass reads ever changes, but what it makes of it may: a force that swings with time.
+void Evaluator::pass_of_time(double time) {
+  if (time == computed_at_) return;
+  computed_at_ = time;
+  for (const int n : of_time_) make_stale(n);
 }
 
 void Evaluator::everything_changed() {
@@ -67,7 +90,7 @@ void Evaluator::everything_changed() {
   std::fill(images_current_.begin(), images_current_.end(), 0);
   lists_current_ = false;
   neighbourhood_.invalidate();
-  runner_.find_uniform_fields();
+  attributes_changed_ = true;
 }
 
 void Evaluator::mark_fresh(const std::vector<int>& nodes) {
@@ -126,11 +149,16 @@ void Evaluator::run_initial_passes() {
   for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
     if (graph_.nodes()[n].initial) nodes.push_back(static_cast<int>(n));
   }
-  if (!nodes.empty()) run(plan_for(nodes), 0, 0);
+  if (!nodes.empty()) {
+    require_lists(true);
+    run(plan_for(nodes), 0, 0);
+    require_lists(false);
+  }
   everything_changed();
 }
 
 void Evaluator::compute(const std::vector<int>& fields, double time, double dt) {
+  pass_of_time(time);
   std::vector<char> wanted(stale_.size(), 0);
   for (const int f : fields) collect(f, false, wanted);
   std::vector<int> nodes;
@@ -143,6 +171,7 @@ void Evaluator::compute(const std::vector<int>& fields, double time, double dt) 
 }
 
 void Evaluator::run_occasional_passes(std::int64_t step, double time, double dt) {
+  pass_of_time(time);
   for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
     const PassNode& node = graph_.nodes()[n];
     if (!node.occasional) continue;
@@ -165,6 +194,8 @@ void Evaluator::run_occasional_passes(std::int64_t step, double time, double dt)
 }
 
 void Evaluator::run(const Plan& plan, double time, double dt) {
+  if (attributes_changed_) runner_.find_uniform_fields();
+  attributes_changed_ = false;
   for (std::size_t s = 0; s < plan.sweeps.size();) {
     const int iteration = plan.sweeps[s].iteration;
     if (iteration < 0) {
@@ -181,7 +212,7 @@ void Evaluator::run(const Plan& plan, double time, double dt) {
       if (!judged) break;
       const double* residual = store_.data(graph_.name(it.residual));
       double largest = 0;
-      for (std::int64_t i = 0; i < store_.role_begin(1); ++i) largest = std::max(largest, std::abs(residual[i]));
+      for (std::int64_t i = 0; i < store_.owned(); ++i) largest = std::max(largest, std::abs(residual[i]));
       if (largest <= it.tolerance) break;
     }
     s = end;
@@ -274,6 +305,19 @@ std::vector<int> Evaluator::history_nodes() const {
     if (!node.initial && !node.occasional && (node.iteration >= 0 || previous)) out.push_back(static_cast<int>(n));
   }
   return out;
+}
+
+std::vector<std::int64_t> Evaluator::history() const {
+  std::vector<std::int64_t> fresh;
+  for (const int n : history_nodes()) fresh.push_back(stale_[static_cast<std::size_t>(n)] != 0 ? 0 : 1);
+  return fresh;
+}
+
+void Evaluator::restore_history(const std::vector<std::int64_t>& fresh) {
+  const std::vector<int> nodes = history_nodes();
+  for (std::size_t k = 0; k < nodes.size() && k < fresh.size(); ++k) {
+    if (fresh[k] != 0) stale_[static_cast<std::size_t>(nodes[k])] = 0;
+  }
 }
 
 }  // namespace riffle

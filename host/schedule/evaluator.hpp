@@ -32,6 +32,9 @@ class Evaluator {
   void changed(int field);
   void everything_changed();  // particles were added or removed, or a checkpoint was read
   void mark_fresh(const std::vector<int>& nodes);
+  // Of each history node: 1 when it is fresh. With restore_history() after everything_changed() it is so again.
+  [[nodiscard]] std::vector<std::int64_t> history() const;
+  void restore_history(const std::vector<std::int64_t>& fresh);
   void compute(const std::vector<int>& fields, double time, double dt);
   // Passes between steps that are due after `step` steps, at time `time`, the last step having been dt.
   void run_occasional_passes(std::int64_t step, double time, double dt);
@@ -54,7 +57,9 @@ class Evaluator {
   const Plan& plan_for(const std::vector<int>& nodes);
   void collect(int field, bool all, std::vector<char>& wanted) const;
   void collect_node(int node, bool all, std::vector<char>& wanted) const;
-  void written(int field);
+  void make_stale(int node);
+  void pass_of_time(double time);
+  void require_lists(bool initial);
 
   const Graph& graph_;
   ParticleStore& store_;
@@ -63,6 +68,9 @@ class Evaluator {
   std::vector<char> stale_;
   std::vector<char> images_current_;          // per field
   std::vector<std::vector<int>> dependents_;  // per field: nodes that read it
+  std::vector<int> of_time_;                  // nodes that read nothing that changes, but may look at the time
+  double computed_at_ = 0;
+  bool attributes_changed_ = false;
   std::map<std::vector<int>, std::unique_ptr<Plan>> plans_;
   std::map<const Sweep*, std::vector<int>> image_fields_;
   std::vector<double> next_due_;

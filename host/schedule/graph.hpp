@@ -44,6 +44,7 @@ struct GraphField {
   bool evolved = false;
   bool attribute = false;            // constant after t = 0
   bool carried = false;              // somebody reads its previous value
+  bool occasional = false;           // written between steps; keeps its value until the next time
   std::vector<int> writers;          // nodes of the rate phase
   std::vector<int> initial_writers;  // nodes that run at t = 0
   std::string first_user;            // for messages

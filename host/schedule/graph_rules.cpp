@@ -75,6 +75,8 @@ void Graph::resolve() {
         f.initial_writers.push_back(static_cast<int>(n));
       else if (!node.occasional)
         f.writers.push_back(static_cast<int>(n));
+      else
+        f.occasional = true;
     }
   }
   for (auto& f : fields_) {
@@ -107,7 +109,7 @@ void Graph::resolve() {
     const auto& graph_field = fields_[static_cast<std::size_t>(f)];
     return graph_field.given || graph_field.evolved || graph_field.pair_source == PairSource::geometry ||
            graph_field.pair_source == PairSource::kernel || !graph_field.initial_writers.empty() ||
-           (!initial && !graph_field.writers.empty());
+           graph_field.occasional || (!initial && !graph_field.writers.empty());
   };
   riffle_kernel kernel{};
   if (kernel_ >= 0) {

@@ -177,7 +177,10 @@ bool LineGroup::evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int
       for (std::int64_t k = 0; k < n; ++k) to[k] = 0.5 * (own[k] + theirs[k]);
     } else {
 #pragma omp simd
-      for (std::int64_t k = 0; k < n; ++k) to[k] = 2 * own[k] * theirs[k] / (own[k] + theirs[k]);
+      for (std::int64_t k = 0; k < n; ++k) {  // 2 v u / (v + u), and exactly v where both are
+        const double sum = own[k] + theirs[k], difference = own[k] - theirs[k];
+        to[k] = 0.5 * (sum - difference * difference / sum);
+      }
     }
   }
   if (!layout_.kernels.empty()) {
@@ -269,8 +272,10 @@ GroupFailure LineGroup::run(std::int64_t first, std::int64_t last, int thread, d
           return failure;
         }
         if (within == 0) continue;
+        if (layout_.squares) {
 #pragma omp simd
-        for (std::int64_t k = 0; k < n; ++k) r2[k] = dx[k] * dx[k];
+          for (std::int64_t k = 0; k < n; ++k) r2[k] = dx[k] * dx[k];
+        }
         if (u != nullptr) {
           const double *ui = u + i, *uj = u + j;
 #pragma omp simd

@@ -26,6 +26,11 @@ void Neighbourhood::require(const NeighbourRequest& request) {
   valid_ = false;
 }
 
+void Neighbourhood::forget_requests() {
+  lists_.clear();
+  valid_ = false;
+}
+
 const NeighbourList& Neighbourhood::list(const NeighbourRequest& request) const {
   for (const auto& entry : lists_) {
     if (!same(entry->request, request)) continue;
@@ -133,6 +138,13 @@ void Neighbourhood::build() {
                  return at >= x[0] && at <= x[n - 1];
                });
   valid_ = true;
+}
+
+NeighbourhoodState Neighbourhood::state() const {
+  if (valid_) return state_;
+  NeighbourhoodState void_lists;
+  void_lists.builds = state_.builds;
+  return void_lists;
 }
 
 void Neighbourhood::restore(const NeighbourhoodState& state) {

@@ -30,6 +30,7 @@ class Neighbourhood : public ListProvider {
   Neighbourhood(ParticleStore& store, double kappa, double skin, std::function<void(std::vector<Image>&)> make_images);
 
   void require(const NeighbourRequest& request);
+  void forget_requests();
   // Makes lists valid for the current positions and smoothing lengths. True when they were rebuilt, and with them the
   // images; owned particles may then have a new order.
   bool prepare();
@@ -44,7 +45,8 @@ class Neighbourhood : public ListProvider {
   [[nodiscard]] std::int64_t builds() const { return state_.builds; }
   [[nodiscard]] std::size_t bytes() const;
 
-  [[nodiscard]] const NeighbourhoodState& state() const { return state_; }
+  // Without positions when the lists are void anyway and the next prepare() makes new ones.
+  [[nodiscard]] NeighbourhoodState state() const;
   // Restores lists and images as they were; current positions and smoothing lengths stay untouched.
   void restore(const NeighbourhoodState& state);
 

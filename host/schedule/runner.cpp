@@ -82,6 +82,7 @@ Runner::Runner(const Graph& graph, ParticleStore& store, RunnerOptions options)
       store_(store),
       options_(options),
       uniform_(graph.fields().size(), 0),
+      uniform_value_(graph.fields().size(), 0.0),
       field_(graph.fields().size(), nullptr) {
   for (std::size_t f = 0; f < graph.fields().size(); ++f) {
     if (graph.fields()[f].pair_source == PairSource::none) field_[f] = store.find(graph.fields()[f].description.name);
@@ -90,20 +91,19 @@ Runner::Runner(const Graph& graph, ParticleStore& store, RunnerOptions options)
 
 Runner::~Runner() = default;
 
-void Runner::forget_plans() {
-  compiled_.clear();
-}
-
 void Runner::find_uniform_fields() {
+  bool changed = false;
   for (std::size_t f = 0; f < uniform_.size(); ++f) {
-    uniform_[f] = 0;
     const GraphField& field = graph_.fields()[f];
-    if (!field.attribute || field.description.shape != Shape::scalar || field_[f] == nullptr || store_.owned() == 0)
-      continue;
+    if (!field.attribute || field.description.shape != Shape::scalar || field_[f] == nullptr) continue;
     const double* values = field_[f]->component[0].data();
-    uniform_[f] = std::all_of(values, values + store_.owned(), [&](double v) { return v == values[0]; }) ? 1 : 0;
+    const bool uniform =
+        store_.owned() > 0 && std::all_of(values, values + store_.owned(), [&](double v) { return v == values[0]; });
+    changed = changed || (uniform_[f] != 0) != uniform || (uniform && uniform_value_[f] != values[0]);
+    uniform_[f] = uniform ? 1 : 0;
+    uniform_value_[f] = values[0];
   }
-  forget_plans();
+  if (changed) compiled_.clear();
 }
 
 double* Runner::component(int field, int component) const {

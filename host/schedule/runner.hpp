@@ -47,7 +47,6 @@ class Runner {
   double vote(const GraphVote& vote, double time, double dt);
   // Attribute fields with one value for all particles need no gather; call when attributes have changed.
   void find_uniform_fields();
-  void forget_plans();
   [[nodiscard]] const std::vector<AlignedArray>& kept(int field) const { return kept_.at(field); }
 
  private:
@@ -72,6 +71,7 @@ class Runner {
   ParticleStore& store_;
   RunnerOptions options_;
   std::vector<char> uniform_;
+  std::vector<double> uniform_value_;
   std::vector<Field*> field_;  // of the store, by graph index; nullptr for per-pair fields
   std::map<std::pair<const Plan*, std::size_t>, std::unique_ptr<Compiled>> compiled_;
   std::map<int, std::vector<AlignedArray>> kept_;

@@ -36,7 +36,6 @@ struct Wcsph {
                                                riffle::evolved_field(f::position, f::velocity)};
   static constexpr riffle_field pressure_term =
       riffle::scalar_field("pressure_term", "kg-1.m5.s-2", "pressure over density squared");
-  static constexpr riffle_field particle_volume = riffle::scalar_field("particle_volume", "md", "mass over density");
 
   struct Start {
     static constexpr auto pass_name = "initial mass and density";
@@ -56,15 +55,14 @@ struct Wcsph {
 
   struct State {
     static constexpr auto pass_name = "state equation";
-    static constexpr riffle_read reads[] = {riffle::at_i(f::density), riffle::at_i(f::mass)};
-    static constexpr riffle_write writes[] = {riffle::set(pressure_term), riffle::set(particle_volume)};
+    static constexpr riffle_read reads[] = {riffle::at_i(f::density)};
+    static constexpr riffle_write writes[] = {riffle::set(pressure_term)};
     static void run(const Wcsph& s, const riffle::Block& b) {
-      const double *density = b.in(0), *mass = b.in(1), c2 = s.c0 * s.c0, rho0 = s.rho0;
-      double *term = b.out(0), *volume = b.out(1);
+      const double *density = b.in(0), c2 = s.c0 * s.c0, rho0 = s.rho0;
+      double* term = b.out(0);
       RIFFLE_EACH(k, b) {
         const double inverse = 1 / density[k];
         term[k] = c2 * (density[k] - rho0) * inverse * inverse;
-        volume[k] = mass[k] * inverse;
       }
     }
   };
@@ -72,43 +70,39 @@ struct Wcsph {
   struct Rates {
     static constexpr auto pass_name = "continuity and momentum";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
-    static constexpr riffle_read reads[] = {riffle::at_i(pressure_term),
-                                            riffle::at_i(f::kernel_gradient),
-                                            riffle::pair(f::separation),
-                                            riffle::pair(f::approach),
-                                            riffle::pair(f::distance_squared),
-                                            riffle::at_j(f::mass),
-                                            riffle::at_j(particle_volume),
-                                            riffle::at_i(f::density),
-                                            riffle::at_j(f::density),
-                                            riffle::at_i(f::smoothing_length),
-                                            riffle::pair(f::viscous_pressure, RIFFLE_OPTIONAL),
-                                            riffle::at_j(pressure_term)};
+    static constexpr riffle_read reads[] = {
+        riffle::at_i(pressure_term),       riffle::at_i(f::kernel_gradient),
+        riffle::pair(f::separation),       riffle::pair(f::approach),
+        riffle::pair(f::distance),         riffle::at_j(f::mass),
+        riffle::at_i(f::density),          riffle::at_j(f::density),
+        riffle::at_i(f::smoothing_length), riffle::pair(f::viscous_pressure, RIFFLE_OPTIONAL),
+        riffle::at_j(pressure_term)};
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration), riffle::sum(f::density_rate)};
     static void run(const Wcsph& s, const riffle::Block& b) {
       if (b.dim() == 2)
-        b.has(10) ? rates<2, true>(s, b) : rates<2, false>(s, b);
+        b.has(9) ? rates<2, true>(s, b) : rates<2, false>(s, b);
       else
-        b.has(10) ? rates<3, true>(s, b) : rates<3, false>(s, b);
+        b.has(9) ? rates<3, true>(s, b) : rates<3, false>(s, b);
     }
     template <int Dim, bool Viscous>
     static void rates(const Wcsph& s, const riffle::Block& b) {
-      const double *term = b.in(0), *gradient = b.in(1), *approach = b.in(3), *r2 = b.in(4), *mass = b.in(5);
-      const double *volume = b.in(6), *rho_i = b.in(7), *rho_j = b.in(8), *l = b.in(9);
+      const double *term = b.in(0), *gradient = b.in(1), *approach = b.in(3), *r = b.in(4), *mass = b.in(5);
+      const double *rho_i = b.in(6), *rho_j = b.in(7), *l = b.in(8), *term_j = b.in(10);
       const double *x = b.in(2, 0), *y = b.in(2, 1), *z = Dim == 3 ? b.in(2, Dim - 1) : x;
-      const double *viscous = Viscous ? b.in(10) : term, *term_j = b.in(11);
+      const double* viscous = Viscous ? b.in(9) : term;
       double *ax = b.out(0, 0), *ay = b.out(0, 1), *az = Dim == 3 ? b.out(0, Dim - 1) : ax, *rate = b.out(1);
       const double diffusion = 2 * s.delta * s.c0;
       RIFFLE_EACH(k, b) {
         const double mf = mass[k] * gradient[k];
-        const double sum = rho_i[k] + rho_j[k];
-        const double pi = Viscous ? 2 * viscous[k] / sum : 0.0;
+        const double sum = rho_i[k] + rho_j[k], r2 = r[k] * r[k], softened = r2 + 0.01 * l[k] * l[k];
+        const double inverse = 1 / (sum * softened * rho_j[k]);  // one division serves all three quotients
+        const double by_sum = softened * rho_j[k] * inverse;
+        const double pi = Viscous ? 2 * viscous[k] * by_sum : 0.0;
         const double a = -(term[k] + term_j[k] + pi) * mf;
         ax[k] = a * x[k];
         ay[k] = a * y[k];
         if (Dim == 3) az[k] = a * z[k];
-        rate[k] = mf * approach[k] + diffusion * l[k] * volume[k] * (rho_i[k] - rho_j[k]) * gradient[k] * r2[k] /
-                                         (r2[k] + 0.01 * l[k] * l[k]);
+        rate[k] = mf * (approach[k] + diffusion * l[k] * (rho_i[k] - rho_j[k]) * r2 * sum * inverse);
       }
     }
   };
