@@ -69,13 +69,10 @@ struct MirrorWall {
     for (const Wall& wall : walls) {
       const double* x = e.read(e.context, "position", wall.axis);
       const double position = wall.position, inward = wall.inward;
-      double least = 0;
-#pragma omp simd reduction(min : least)
-      for (std::int64_t k = 0; k < e.count; ++k) {
-        const double distance = inward * (x[k] - position);
-        least = distance < least ? distance : least;
-      }
-      for (std::int64_t k = 0; least < 0 && k < e.count; ++k) {
+      std::int64_t beyond = 0;
+#pragma omp simd reduction(+ : beyond)
+      for (std::int64_t k = 0; k < e.count; ++k) beyond += inward * (x[k] - position) < 0 ? 1 : 0;
+      for (std::int64_t k = 0; beyond > 0 && k < e.count; ++k) {
         if (e.role[k] == RIFFLE_FLUID && wall.distance(x[k]) < 0) reflect(e, wall, k);
       }
     }
@@ -114,7 +111,9 @@ struct MirrorWall {
     const auto inside = [&](std::int64_t k) { return e.role[k] == RIFFLE_FLUID || wall.distance(x[k]) >= 0; };
     double zone = 0, bound = 0;
     const double position = wall.position, inward = wall.inward;
+#ifndef __clang__  // which cannot vectorise a largest value, and warns
 #pragma omp simd reduction(max : zone, bound)
+#endif
     for (std::int64_t k = 0; k < e.count; ++k) {
       const double distance = inward * (x[k] - position), past = e.reach[k] - distance;
       const bool counts = (e.role[k] == RIFFLE_FLUID) | (distance >= 0);

@@ -158,8 +158,7 @@ struct SweStandard {
       const double *l = b.in(0), *u = b.in(1), *v = b.dim() == 2 ? b.in(1, 1) : b.in(1), *c = b.in(2);
       const double second = b.dim() == 2 ? 1.0 : 0.0;
       double least = riffle::infinity;
-#pragma omp simd reduction(min : least)
-      for (std::int64_t k = 0; k < b.size(); ++k) {
+      RIFFLE_EACH_LEAST(k, b, least) {
         const double dt = l[k] / (std::sqrt(u[k] * u[k] + second * v[k] * v[k]) + c[k]);
         least = dt < least ? dt : least;
       }

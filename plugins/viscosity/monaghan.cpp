@@ -42,8 +42,7 @@ struct Monaghan {
     static double limit(const Monaghan& m, const riffle::Block& b) {
       const double *l = b.in(0), *c = b.in(1);
       double least = riffle::infinity;
-#pragma omp simd reduction(min : least)
-      for (std::int64_t k = 0; k < b.size(); ++k) {
+      RIFFLE_EACH_LEAST(k, b, least) {
         const double dt = l[k] / (m.alpha * c[k]);
         least = dt < least ? dt : least;
       }

@@ -30,3 +30,16 @@ class Block {
 // alias checks, silently, and the closure is four times slower. Keep the body free of calls and of branches around
 // whole formulas: select values instead (double a = b < 0 ? b : 0;).
 #define RIFFLE_EACH(k, block) _Pragma("omp simd") for (std::int64_t k = 0; k < (block).size(); ++k)
+
+// The same loop for the least of something, as a vote looks for it:
+//   double least = riffle::infinity;
+//   RIFFLE_EACH_LEAST(k, block, least) { const double dt = ...; least = dt < least ? dt : least; }
+// Clang cannot vectorise that without -ffast-math, and warns when it is told to.
+#if defined(__clang__)
+#define RIFFLE_EACH_LEAST(k, block, least) for (std::int64_t k = 0; k < (block).size(); ++k)
+#else
+#define RIFFLE_DETAIL_PRAGMA(text) _Pragma(#text)
+#define RIFFLE_EACH_LEAST(k, block, least)              \
+  RIFFLE_DETAIL_PRAGMA(omp simd reduction(min : least)) \
+  for (std::int64_t k = 0; k < (block).size(); ++k)
+#endif
