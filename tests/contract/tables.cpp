@@ -1,12 +1,11 @@
 // What every plugin says about itself: complete, in words and units that the host and its readers can use.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
-#include <sstream>
 
+#include "host/plugins/unit.hpp"
 #include "tests/contract/loaded.hpp"
 
 namespace riffle::contract {
@@ -15,8 +14,6 @@ namespace {
 bool is_text(const char* text) {
   return text != nullptr && *text != '\0';
 }
-const std::vector<std::string> symbols{"kg", "mol", "rad", "m", "s", "K", "A"};  // longer ones first
-
 bool only(const std::string& text, const std::string& letters) {
   return text.find_first_not_of(letters) == std::string::npos;
 }
@@ -26,21 +23,8 @@ bool is_name(const char* name, const std::string& also) {
   return is_text(name) && only({name[0]}, small) && only(name, small + digits + also);
 }
 
-// A product of powers such as kg.m-3.s-1, or "1"; an exponent may end in d, the dimension.
 bool is_unit(const char* unit) {
-  if (!is_text(unit)) return false;
-  if (std::string(unit) == "1") return true;
-  std::istringstream factors(unit);
-  for (std::string factor; std::getline(factors, factor, '.');) {
-    const auto symbol = std::find_if(symbols.begin(), symbols.end(),
-                                     [&](const std::string& s) { return factor.compare(0, s.size(), s) == 0; });
-    if (symbol == symbols.end()) return false;
-    std::string exponent = factor.substr(symbol->size());
-    if (!exponent.empty() && exponent.front() == '-') exponent.erase(0, 1);
-    if (!exponent.empty() && exponent.back() == 'd') exponent.pop_back();
-    if (!only(exponent, digits)) return false;
-  }
-  return true;
+  return is_text(unit) && parse_unit(unit).has_value();
 }
 void expect_sound(const riffle_field* field) {
   ASSERT_NE(field, nullptr);

@@ -52,8 +52,11 @@ class Monaghan : public testing::Test {
     const riffle_plugin& table = plugin("viscosity", "monaghan");
     const Instance instance(table, 1, {{"alpha", alpha}, {"beta", beta}, {"epsilon", 0.25}});
     BlockCase block(only_pass(table), 1, 4);
-    const std::map<std::string, double> values{
-        {"approach", approach}, {"distance_squared", r * r}, {"smoothing_length", 2}, {"wave_speed", 5}};
+    const std::map<std::string, double> values{{"approach", approach},
+                                               {"distance", r},
+                                               {"distance_squared", r * r},
+                                               {"smoothing_length", 2},
+                                               {"wave_speed", 5}};
     const auto reads = entries(only_pass(table).reads);
     for (std::size_t k = 0; k < reads.size(); ++k) {
       std::fill(block.in(k).begin(), block.in(k).end(), values.at(reads[k]->field->name));
