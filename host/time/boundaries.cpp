@@ -1,6 +1,7 @@
 #include "host/time/boundaries.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace riffle {
@@ -9,12 +10,26 @@ namespace riffle {
 struct Boundaries::Context {
   ParticleStore* store = nullptr;
   Evaluator* evaluator = nullptr;
-  std::vector<Image>* images = nullptr;
+  std::vector<Image>* images = nullptr;  // in `images` only
+  std::string conserved;                 // field of the ledger, or empty
   std::int64_t count = 0, added = 0;
   std::map<std::int64_t, std::uint32_t> retagged;  // and the roles of added particles
   std::vector<char> removed;
-  std::vector<std::int64_t> like;  // of added particles
+  std::vector<double> amounts;  // conserved, of owned particles, before the plugin was let at them
   bool edited = false;
+  std::string mistake;  // the first thing the plugin asked for that makes no sense
+
+  [[nodiscard]] bool is_particle(std::int64_t index) const { return index >= 0 && index < count + added; }
+  // False, and the call is remembered as a mistake, when it must be ignored.
+  bool expect(bool right, const std::string& rule) {
+    if (!right && mistake.empty()) mistake = rule;
+    return right;
+  }
+  bool may_edit(const char* call, std::int64_t index) {
+    return expect(images == nullptr, std::string(call) + "() is for begin and edit, not for images") &&
+           expect(is_particle(index), std::string(call) + "() names particle " + std::to_string(index) +
+                                          ", but there are " + std::to_string(count + added));
+  }
 };
 
 namespace {
@@ -22,6 +37,10 @@ namespace {
 template <class T>
 T& context_of(void* p) {
   return *static_cast<T*>(p);
+}
+
+bool is_role(std::uint32_t bit) {
+  return bit != 0 && (bit & (bit - 1)) == 0 && bit <= RIFFLE_ALL_ROLES;
 }
 
 int role_index(std::uint32_t bit) {
@@ -53,7 +72,7 @@ double Boundaries::inside() const {
 
 void Boundaries::begin(double time) {
   call(Call::begin, time, 0, nullptr);
-  ledger_.initial = inside();
+  ledger_ = {inside(), 0, 0};
 }
 
 bool Boundaries::edit(double time, double dt) {
@@ -66,13 +85,6 @@ void Boundaries::images(std::vector<Image>& images) {
 
 bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* images) {
   bool edited = false;
-  roles_.resize(static_cast<std::size_t>(store_.owned()), RIFFLE_FLUID);
-  if (store_.role_begin(1) != store_.owned() || roles_changed_) {
-    for (int r = 0; r < role_count; ++r) {
-      std::fill(roles_.begin() + store_.role_begin(r), roles_.begin() + store_.role_begin(r + 1), 1u << r);
-    }
-    roles_changed_ = false;
-  }
   if (which == Call::images) neighbourhood_->reach(reach_);
   for (std::size_t p = 0; p < graph_.plugins().size(); ++p) {
     const ActivePlugin& plugin = graph_.plugins()[p];
@@ -80,11 +92,13 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
                           : which == Call::edit ? plugin.table->edit
                                                 : plugin.table->images;
     if (function == nullptr) continue;
+    update_roles();
     Context context;
     context.store = &store_;
     context.evaluator = evaluator_;
     context.images = images;
     context.count = store_.owned();
+    if (graph_.conserved() >= 0) context.conserved = graph_.name(graph_.conserved());
     riffle_editor editor{};
     editor.size = sizeof editor;
     editor.dim = store_.dim();
@@ -97,42 +111,58 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
     editor.reach = which == Call::images ? reach_.data() : nullptr;
     editor.read = [](void* c, const char* name, std::int32_t component) noexcept -> const double* {
       const Field* field = context_of<Context>(c).store->find(name);
-      return field == nullptr ? nullptr : field->component[static_cast<std::size_t>(component)].data();
+      if (field == nullptr || component < 0 || static_cast<std::size_t>(component) >= field->component.size())
+        return nullptr;
+      return field->component[static_cast<std::size_t>(component)].data();
     };
     editor.write = [](void* c, const char* name, std::int32_t component) noexcept -> double* {
       auto& context = context_of<Context>(c);
       Field* field = context.store->find(name);
-      if (field == nullptr) return nullptr;
+      if (field == nullptr || component < 0 || static_cast<std::size_t>(component) >= field->component.size())
+        return nullptr;
+      if (context.conserved == name && context.amounts.empty()) {
+        const double* amount = field->component[0].data();
+        context.amounts.assign(amount, amount + context.count);
+      }
       context.evaluator->changed(context.evaluator->graph().field(name));
       return field->component[static_cast<std::size_t>(component)].data();
     };
     editor.add = [](void* c, std::uint32_t role, std::int64_t like) noexcept -> std::int64_t {
       auto& context = context_of<Context>(c);
+      if (!context.may_edit("add", like) || !context.expect(is_role(role), "add() wants one role")) return like;
       const std::int64_t index = context.count + context.added;
       ++context.added;
       context.store->resize_images(context.added);  // the places of images serve as room; lists and images are void now
       for (const auto& [name, field] : context.store->fields()) {
         for (auto& array : field->component) array.data()[index] = array.data()[like];
       }
-      context.like.push_back(like);
       context.retagged[index] = role;
       context.edited = true;
       return index;
     };
     editor.remove = [](void* c, std::int64_t index) noexcept {
       auto& context = context_of<Context>(c);
+      if (!context.may_edit("remove", index)) return;
       context.removed.resize(std::max(context.removed.size(), static_cast<std::size_t>(index) + 1), 0);
       context.removed[static_cast<std::size_t>(index)] = 1;
       context.edited = true;
     };
     editor.retag = [](void* c, std::int64_t index, std::uint32_t role) noexcept {
       auto& context = context_of<Context>(c);
+      if (!context.may_edit("retag", index) || !context.expect(is_role(role), "retag() wants one role")) return;
       context.retagged[index] = role;
       context.edited = true;
     };
     editor.image = [](void* c, std::int64_t origin, std::uint32_t how, std::int32_t axis,
                       const double* a) noexcept -> std::int64_t {
       auto& context = context_of<Context>(c);
+      if (!context.expect(context.images != nullptr, "image() is for images, not for begin and edit")) return origin;
+      const auto known = context.count + static_cast<std::int64_t>(context.images->size());
+      if (!context.expect(origin >= 0 && origin < known,
+                          "image() of " + std::to_string(origin) + ", which is no particle and no image before it") ||
+          !context.expect(how == RIFFLE_SHIFT || (how == RIFFLE_MIRROR && axis >= 0 && axis < context.store->dim()),
+                          "image() wants a mirror normal to an axis that exists, or a shift"))
+        return origin;
       Image image{origin, how == RIFFLE_MIRROR, axis, {}};
       std::copy(a, a + context.store->dim(), image.a.begin());
       context.images->push_back(image);
@@ -141,12 +171,34 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
     riffle_error error{sizeof(riffle_error), {}};
     if (function(plugin.self, &editor, &error) != RIFFLE_OK)
       throw RunError("boundary " + plugin.id + ": " + error.message);
+    if (!context.mistake.empty()) throw RunError("boundary " + plugin.id + ": " + context.mistake);
+    enter_changes(context);
     if (context.edited) {
       apply(context);
       edited = true;
     }
   }
   return edited;
+}
+
+void Boundaries::update_roles() {
+  if (!roles_changed_ && roles_.size() == static_cast<std::size_t>(store_.owned())) return;
+  roles_.resize(static_cast<std::size_t>(store_.owned()));
+  for (int r = 0; r < role_count; ++r) {
+    std::fill(roles_.begin() + store_.role_begin(r), roles_.begin() + store_.role_begin(r + 1), 1u << r);
+  }
+  roles_changed_ = false;
+}
+
+// What the plugin wrote into the conserved field of water that was there before.
+void Boundaries::enter_changes(const Context& context) {
+  if (context.amounts.empty()) return;
+  const double* amount = store_.data(context.conserved);
+  for (std::size_t i = 0; i < context.amounts.size(); ++i) {
+    if (roles_[i] != RIFFLE_FLUID) continue;
+    const double change = amount[i] - context.amounts[i];
+    (change > 0 ? ledger_.in : ledger_.out) += std::abs(change);
+  }
 }
 
 // Groups what is left by role again, numbers the new ones, and writes the ledger: what becomes water came in, what was

@@ -25,6 +25,7 @@ class Boundaries {
   [[nodiscard]] Ledger& ledger() { return ledger_; }
   [[nodiscard]] double inside() const;  // conserved amount in the water
   [[nodiscard]] std::vector<double>& state(std::size_t plugin) { return state_[plugin]; }
+  void particles_replaced() { roles_changed_ = true; }  // by those of a checkpoint
   [[nodiscard]] std::int64_t& next_id() { return next_id_; }
 
  private:
@@ -32,6 +33,8 @@ class Boundaries {
   enum class Call { begin, edit, images };
   bool call(Call which, double time, double dt, std::vector<Image>* images);
   void apply(Context& context);
+  void update_roles();
+  void enter_changes(const Context& context);
 
   const Graph& graph_;
   ParticleStore& store_;

@@ -54,7 +54,7 @@ class LeapFrog : public Base {
  public:
   LeapFrog(const Graph& graph, ParticleStore& store, bool implicit) : Base(graph, store, implicit, "_half") {}
 
-  void step(Evaluator& evaluator, double time, double dt) override {
+  void step(Evaluator& evaluator, double time, double dt, double end) override {
     if (!started_) {
       evaluator.compute(rates_, time, dt);
       started_ = true;
@@ -72,7 +72,7 @@ class LeapFrog : public Base {
     }
     for (const auto& n : first_order_) evaluator.changed(n.e.field);
     check(evaluator, finite);
-    evaluator.compute(rates_, time + dt, dt);
+    evaluator.compute(rates_, end, dt);
     for (const auto& n : first_order_) {
       finite = move(evaluator, n, n.field, n.field + "_half", 0.5 * dt) && finite;
       evaluator.changed(n.e.field);
@@ -80,6 +80,7 @@ class LeapFrog : public Base {
     check(evaluator, finite);
   }
   [[nodiscard]] std::vector<int> carried() const override { return rates_; }
+  [[nodiscard]] bool carrying() const override { return started_; }
   void resumed() override { started_ = true; }
   void restarted() override { started_ = false; }
 
@@ -93,7 +94,7 @@ class SemiImplicitEuler : public Base {
  public:
   SemiImplicitEuler(const Graph& graph, ParticleStore& store, bool implicit) : Base(graph, store, implicit, "") {}
 
-  void step(Evaluator& evaluator, double time, double dt) override {
+  void step(Evaluator& evaluator, double time, double dt, double /*end*/) override {
     bool finite = true;
     for (const bool drives : {false, true}) {
       std::vector<int> rates;
@@ -127,7 +128,7 @@ class PredictorCorrector : public Base {
   PredictorCorrector(const Graph& graph, ParticleStore& store, bool implicit)
       : Base(graph, store, implicit, "_start") {}
 
-  void step(Evaluator& evaluator, double time, double dt) override {
+  void step(Evaluator& evaluator, double time, double dt, double end) override {
     ParticleStore& store = evaluator.store();
     bool finite = true;
     const auto all_changed = [&] {
@@ -144,7 +145,7 @@ class PredictorCorrector : public Base {
     for (const auto& n : first_order_) finite = move(evaluator, n, n.field, n.field + "_start", 0.5 * dt) && finite;
     all_changed();
     check(evaluator, finite);
-    evaluator.compute(rates_, time + 0.5 * dt, dt);
+    evaluator.compute(rates_, 0.5 * (time + end), dt);
     for (const auto& n : first_order_) finite = move(evaluator, n, n.field, n.field + "_start", 0.5 * dt) && finite;
     for (const auto& n : positions_)
       finite = advance(store, n.field, n.field + "_start", n.rate, "", implicit_, dt, n.e.roles) && finite;

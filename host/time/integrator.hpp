@@ -13,12 +13,14 @@ namespace riffle {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  // Advances all evolved fields from `time` by `dt`. Throws RunError when a value is no longer finite.
-  virtual void step(Evaluator& evaluator, double time, double dt) = 0;
+  // Advances all evolved fields by `dt`, from `time` to `end`, which is time + dt but for rounding: rates are evaluated
+  // at the very times that the run knows. Throws RunError when a value is no longer finite.
+  virtual void step(Evaluator& evaluator, double time, double dt, double end) = 0;
   // Fields whose stored values the next step uses again: in checkpoints.
   [[nodiscard]] virtual std::vector<int> carried() const { return {}; }
-  virtual void resumed() {}    // carried fields have been restored
-  virtual void restarted() {}  // they are void, because particles came or went
+  [[nodiscard]] virtual bool carrying() const { return false; }  // they are in use: not before the first step
+  virtual void resumed() {}                                      // carried fields have been restored
+  virtual void restarted() {}                                    // they are void, because particles came or went
 };
 
 // Names that make_integrator knows, with a line on each.

@@ -67,12 +67,13 @@ void Simulation::place_particles() {
 void Simulation::add_fields() {
   for (const auto& field : graph_->fields()) {
     if (field.pair_source != PairSource::none) continue;
-    const bool used = field.given || field.evolved || !field.writers.empty() || !field.initial_writers.empty();
+    const bool used =
+        field.given || field.evolved || field.occasional || !field.writers.empty() || !field.initial_writers.empty();
     if (!used) continue;
-    const FieldUse use = field.evolved     ? FieldUse::evolved
-                         : field.attribute ? FieldUse::attribute
-                         : field.carried   ? FieldUse::carried
-                                           : FieldUse::derived;
+    const FieldUse use = field.evolved                       ? FieldUse::evolved
+                         : field.attribute                   ? FieldUse::attribute
+                         : field.carried || field.occasional ? FieldUse::carried
+                                                             : FieldUse::derived;
     store_.add_field(field.description, use).use = use;
   }
   const auto n = store_.owned();
@@ -112,12 +113,13 @@ StepReport Simulation::step(double until) {
   if (time_ + report.dt == time_)
     throw RunError("the time step of " + std::to_string(report.dt) + " s, limited by " + report.limiter +
                    ", no longer advances the time");
-  integrator_->step(*evaluator_, time_, report.dt);
-  time_ = reaches ? until : time_ + report.dt;
+  const double end = reaches ? until : time_ + report.dt;
+  integrator_->step(*evaluator_, time_, report.dt, end);
+  time_ = end;
   last_dt_ = report.dt;
   ++steps_;
   particle_steps_ += store_.owned();
-  boundaries_->edit(time_, report.dt);
+  if (boundaries_->edit(time_, report.dt)) integrator_->restarted();
   evaluator_->run_occasional_passes(steps_, time_, report.dt);
   return report;
 }
@@ -184,7 +186,7 @@ SimulationState Simulation::state() const {
   s.integers["ids"] = store_.ids();
   auto& roles = s.integers["particles_per_role"];
   for (int r = 0; r < role_count; ++r) roles.push_back(store_.role_begin(r + 1) - store_.role_begin(r));
-  const NeighbourhoodState& lists = neighbourhood_->state();
+  const NeighbourhoodState lists = neighbourhood_->state();
   for (int c = 0; c < store_.dim(); ++c) s.reals["list.position." + std::to_string(c)] = lists.x[c];
   s.reals["list.smoothing_length"] = lists.l;
   for (std::size_t p = 0; p < graph_->plugins().size(); ++p) {
@@ -195,6 +197,8 @@ SimulationState Simulation::state() const {
   s.reals["time"] = {time_, last_dt_};
   s.reals["ledger"] = {ledger.initial, ledger.in, ledger.out};
   s.integers["counters"] = {steps_, particle_steps_, lists.builds, boundaries_->next_id()};
+  s.integers["history"] = evaluator_->history();
+  s.integers["integrator"] = {integrator_->carrying() ? 1 : 0};
   return s;
 }
 
@@ -233,7 +237,12 @@ void Simulation::restore(const SimulationState& s) {
   }
   for (std::size_t p = 0; p < graph_->plugins().size(); ++p) {
     auto& numbers = boundaries_->state(p);
-    if (!numbers.empty()) numbers = reals("plugin." + graph_->plugins()[p].slot);
+    if (numbers.empty()) continue;
+    const auto& saved = reals("plugin." + graph_->plugins()[p].slot);
+    if (saved.size() != numbers.size())
+      throw std::runtime_error("the checkpoint holds another number of values for the state of " +
+                               graph_->plugins()[p].id + ": it is not of this case");
+    numbers = saved;
   }
   const auto& counters = integers("counters");
   time_ = reals("time").at(0);
@@ -242,14 +251,18 @@ void Simulation::restore(const SimulationState& s) {
   steps_ = counters.at(0);
   particle_steps_ = counters.at(1);
   boundaries_->next_id() = counters.at(3);
+  boundaries_->particles_replaced();
   evaluator_->everything_changed();
   NeighbourhoodState lists;
   for (int c = 0; c < store_.dim(); ++c) lists.x[c] = reals("list.position." + std::to_string(c));
   lists.l = reals("list.smoothing_length");
   lists.builds = counters.at(2);
   neighbourhood_->restore(lists);
-  evaluator_->mark_fresh(evaluator_->history_nodes());
-  integrator_->resumed();
+  evaluator_->restore_history(integers("history"));
+  if (integers("integrator").at(0) != 0)
+    integrator_->resumed();
+  else
+    integrator_->restarted();
 }
 
 }  // namespace riffle
