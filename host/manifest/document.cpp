@@ -12,7 +12,7 @@
 namespace riffle {
 namespace {
 
-Place place_of(const toml::source_region& region, const std::string& source) {
+SourcePlace place_of(const toml::source_region& region, const std::string& source) {
   return {source, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
@@ -22,37 +22,37 @@ std::size_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-Node convert(const toml::node& from, const std::string& source, const std::vector<std::string>& lines) {
-  Node node;
+TomlNode convert(const toml::node& from, const std::string& source, const std::vector<std::string>& lines) {
+  TomlNode node;
   node.place = place_of(from.source(), source);
   if (const auto* table = from.as_table()) {
     for (const auto& [key, value] : *table) {
       node.entries.push_back({std::string(key.str()), place_of(key.source(), source), convert(value, source, lines)});
     }
-    std::stable_sort(node.entries.begin(), node.entries.end(), [](const Entry& a, const Entry& b) {
+    std::stable_sort(node.entries.begin(), node.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
       return std::tuple(a.place.line, a.place.column) < std::tuple(b.place.line, b.place.column);
     });
   } else if (const auto* array = from.as_array()) {
-    node.type = Node::Type::array;
+    node.type = TomlNode::Type::array;
     for (const auto& item : *array) node.items.push_back(convert(item, source, lines));
   } else if (const auto* text = from.as_string()) {
-    node.type = Node::Type::text;
+    node.type = TomlNode::Type::text;
     node.text = text->get();
     const std::string& line = lines.at(static_cast<std::size_t>(node.place.line) - 1);
     node.plain_text = line.find('"' + node.text + '"') != std::string::npos ||
                       line.find('\'' + node.text + '\'') != std::string::npos;
   } else if (const auto* integer = from.as_integer()) {
-    node.type = Node::Type::integer;
+    node.type = TomlNode::Type::integer;
     node.integer = integer->get();
     node.number = static_cast<double>(node.integer);
   } else if (const auto* real = from.as_floating_point()) {
-    node.type = Node::Type::real;
+    node.type = TomlNode::Type::real;
     node.number = real->get();
   } else if (const auto* boolean = from.as_boolean()) {
-    node.type = Node::Type::boolean;
+    node.type = TomlNode::Type::boolean;
     node.boolean = boolean->get();
   } else {
-    node.type = Node::Type::date;
+    node.type = TomlNode::Type::date;
   }
   return node;
 }
@@ -71,22 +71,22 @@ std::vector<std::string> split_lines(const std::string& text) {
 
 }  // namespace
 
-const Entry* Node::find(const std::string& key) const {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+const TomlEntry* TomlNode::find(const std::string& key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& e) { return e.key == key; });
   return found == entries.end() ? nullptr : &*found;
 }
 
-Entry* Node::find(const std::string& key) {
-  return const_cast<Entry*>(std::as_const(*this).find(key));
+TomlEntry* TomlNode::find(const std::string& key) {
+  return const_cast<TomlEntry*>(std::as_const(*this).find(key));
 }
 
-std::vector<std::string> Node::keys() const {
+std::vector<std::string> TomlNode::keys() const {
   std::vector<std::string> names;
-  for (const Entry& entry : entries) names.push_back(entry.key);
+  for (const TomlEntry& entry : entries) names.push_back(entry.key);
   return names;
 }
 
-std::string Node::shown() const {
+std::string TomlNode::shown() const {
   switch (type) {
     case Type::table: return "a table";
     case Type::array: return items.empty() ? "an empty array" : "an array";
@@ -103,13 +103,13 @@ std::string Node::shown() const {
   return '"' + line + '"';
 }
 
-Place Node::character(std::size_t k) const {
-  Place at = place;
+SourcePlace TomlNode::character(std::size_t k) const {
+  SourcePlace at = place;
   if (plain_text) at.column += 1 + static_cast<int>(characters(std::string_view(text).substr(0, k)));
   return at;
 }
 
-Node read_toml(const std::string& text, const std::string& source) {
+TomlNode read_toml(const std::string& text, const std::string& source) {
   try {
     const toml::table parsed = toml::parse(std::string_view(text), std::string_view(source));
     return convert(parsed, source, split_lines(text));
@@ -121,7 +121,7 @@ Node read_toml(const std::string& text, const std::string& source) {
   }
 }
 
-Node read_document(const std::filesystem::path& file) {
+TomlNode read_document(const std::filesystem::path& file) {
   const std::string source = file.string();
   std::error_code ignored;
   std::ifstream stream(file, std::ios::binary);

@@ -11,59 +11,59 @@
 
 namespace riffle {
 
-struct Entry;
+struct TomlEntry;
 
-struct Node {
+struct TomlNode {
   enum class Type { table, array, text, integer, real, boolean, date };
 
   Type type = Type::table;
-  Place place;
+  SourcePlace place;
   bool plain_text = false;  // a text on one line without escapes: character k stands in column place.column + 1 + k
   std::string text;         // of a text: its contents; of other single values from --set: as typed
   double number = 0;        // of an integer or real
   std::int64_t integer = 0;
   bool boolean = false;
-  std::vector<Node> items;     // of an array
-  std::vector<Entry> entries;  // of a table, in the order of the file, those new from --set last
+  std::vector<TomlNode> items;     // of an array
+  std::vector<TomlEntry> entries;  // of a table, in the order of the file, those new from --set last
 
   [[nodiscard]] bool is_table() const { return type == Type::table; }
   [[nodiscard]] bool is_array() const { return type == Type::array; }
   [[nodiscard]] bool is_text() const { return type == Type::text; }
   [[nodiscard]] bool is_number() const { return type == Type::integer || type == Type::real; }
 
-  [[nodiscard]] const Entry* find(const std::string& key) const;  // nullptr when absent
-  [[nodiscard]] Entry* find(const std::string& key);
+  [[nodiscard]] const TomlEntry* find(const std::string& key) const;  // nullptr when absent
+  [[nodiscard]] TomlEntry* find(const std::string& key);
   [[nodiscard]] std::vector<std::string> keys() const;
 
   // As one would write it: 5, "five", true, "an array", "a table".
   [[nodiscard]] std::string shown() const;
-  // Place of character k of a text.
-  [[nodiscard]] Place character(std::size_t k) const;
+  // Where character k of a text stands.
+  [[nodiscard]] SourcePlace character(std::size_t k) const;
 };
 
-struct Entry {
+struct TomlEntry {
   std::string key;
-  Place place;  // of the key
-  Node value;
+  SourcePlace place;  // of the key
+  TomlNode value;
 };
 
 // Throws a ManifestError when the text is no TOML; `source` stands for the file in places.
-Node read_toml(const std::string& text, const std::string& source);
+TomlNode read_toml(const std::string& text, const std::string& source);
 
 // Reads the file. A file that cannot be read and text that is not TOML are thrown at once: nothing else can be said
 // about them.
-Node read_document(const std::filesystem::path& file);
+TomlNode read_document(const std::filesystem::path& file);
 
-struct Override {
+struct KeyOverride {
   std::vector<std::string> path;  // "plugins.viscosity.alpha" in three parts
-  Node value;
+  TomlNode value;
 };
 
 // "dotted.key=value"; the value is read as TOML and, when it is none, taken as a bare text. A malformed one becomes a
 // mistake and yields an empty path. `index` is its turn among the overrides.
-Override read_override(const std::string& given, int index, Mistakes& mistakes);
+KeyOverride read_override(const std::string& given, int index, Mistakes& mistakes);
 
 // Sets the value, making tables on the way. A key that leads through something else than a table is a mistake.
-void apply_override(const Override& change, Node& root, Mistakes& mistakes);
+void apply_override(const KeyOverride& change, TomlNode& root, Mistakes& mistakes);
 
 }  // namespace riffle

@@ -38,7 +38,7 @@ class FunctionReader {
     description_.type = ParameterType::real;
   }
 
-  std::optional<ReadFunction> read(const Node& node) {
+  std::optional<ReadFunction> read(const TomlNode& node) {
     if (node.is_number()) return constant(node);
     if (node.is_text()) return split_quantity(node.text) && !is_bare_number(node.text) ? constant(node) : formula(node);
     if (node.is_table()) return node.find("csv") != nullptr ? table(node) : piecewise(node);
@@ -49,14 +49,14 @@ class FunctionReader {
   }
 
  private:
-  void add(const Place& place, const std::string& sentence) { reading_.mistakes.add(place, sentence); }
+  void add(const SourcePlace& place, const std::string& sentence) { reading_.mistakes.add(place, sentence); }
 
   static bool is_bare_number(const std::string& text) {
     const auto quantity = split_quantity(text);
     return quantity && quantity->unit.empty();
   }
 
-  std::optional<ReadFunction> constant(const Node& node) {
+  std::optional<ReadFunction> constant(const TomlNode& node) {
     const auto value = read_real(reading_, node, key_, description_);
     if (!value) return std::nullopt;
     ReadFunction read = constant_function(*value);
@@ -64,7 +64,7 @@ class FunctionReader {
     return read;
   }
 
-  std::optional<ReadFunction> formula(const Node& node) {
+  std::optional<ReadFunction> formula(const TomlNode& node) {
     try {
       const Formula parsed = parse_formula(node.text, reading_.result.gravity);
       ReadFunction read;
@@ -73,7 +73,7 @@ class FunctionReader {
       read.uses = parsed.uses;
       return read;
     } catch (const FormulaError& error) {
-      const Place place = error.byte ? node.character(*error.byte) : node.place;
+      const SourcePlace place = error.byte ? node.character(*error.byte) : node.place;
       const std::string where = error.byte ? fmt::format(" at character {}", *error.byte + 1) : "";
       add(place, fmt::format("{}: the formula {} does not parse{}: {}", key_, node.shown(), where, error.what()));
       return std::nullopt;
@@ -81,7 +81,7 @@ class FunctionReader {
   }
 
   // The one of x, y, z, t that the table runs over; nothing after a mistake.
-  std::optional<std::size_t> axis(const Node& node, const std::string& example) {
+  std::optional<std::size_t> axis(const TomlNode& node, const std::string& example) {
     std::optional<std::size_t> found;
     int count = 0;
     for (std::size_t k = 0; k < axis_names().size(); ++k) {
@@ -94,16 +94,16 @@ class FunctionReader {
     return std::nullopt;
   }
 
-  std::optional<ReadFunction> piecewise(const Node& node) {
+  std::optional<ReadFunction> piecewise(const TomlNode& node) {
     const std::string example = "{ x = [0, 5], values = [10, \"x\", 5] }";
     refuse_unknown_keys(reading_, node, key_, piecewise_keys());
     const auto over = axis(node, example);
-    const Entry* const values = node.find("values");
+    const TomlEntry* const values = node.find("values");
     if (values == nullptr && !misspelt(node, "values", piecewise_keys()))
       add(node.place, fmt::format("{}.values is missing; it must be as in {}", key_, example));
     if (!over || values == nullptr) return std::nullopt;
     const std::string& name = axis_names()[*over];
-    const Node& breaks = node.find(name)->value;
+    const TomlNode& breaks = node.find(name)->value;
     for (const auto& [part, list] : {std::pair(name, &breaks), std::pair(std::string("values"), &values->value)}) {
       if (list->is_array() && !list->items.empty()) continue;
       add(list->place, fmt::format("{}.{} must be an array as in {}, got {}", key_, part, example, list->shown()));
@@ -125,7 +125,7 @@ class FunctionReader {
     return read;
   }
 
-  std::vector<double> break_points(const Node& breaks, const std::string& shown, std::size_t over) {
+  std::vector<double> break_points(const TomlNode& breaks, const std::string& shown, std::size_t over) {
     ParameterDescription coordinate = description_;
     coordinate.unit = over == 3 ? "s" : "m";
     std::vector<double> at;
@@ -142,11 +142,11 @@ class FunctionReader {
     return at;
   }
 
-  std::vector<Function> piece_functions(const Node& values, ReadFunction& whole) {
+  std::vector<Function> piece_functions(const TomlNode& values, ReadFunction& whole) {
     std::vector<Function> pieces;
     whole.effective = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < values.items.size(); ++k) {
-      const Node& item = values.items[k];
+      const TomlNode& item = values.items[k];
       const std::string shown = fmt::format("{}.values[{}]", key_, k);
       if (item.is_table() || item.is_array()) {
         add(item.place, fmt::format("{} must be a quantity or a formula, got {}", shown, item.shown()));
@@ -161,18 +161,18 @@ class FunctionReader {
     return pieces;
   }
 
-  std::optional<ReadFunction> table(const Node& node) {
+  std::optional<ReadFunction> table(const TomlNode& node) {
     const std::string example = "{ csv = \"bed.csv\", x = \"x\", value = \"level\" }";
     const std::size_t before = reading_.mistakes.count();
     refuse_unknown_keys(reading_, node, key_, table_keys());
     const auto over = axis(node, example);
-    const Entry* const value = node.find("value");
+    const TomlEntry* const value = node.find("value");
     if (value == nullptr && !misspelt(node, "value", table_keys()))
       add(node.place, fmt::format("{}.value is missing; it names a column, as in {}", key_, example));
     if (!over || value == nullptr) return std::nullopt;
     const std::string& name = axis_names()[*over];
-    const Node& file = node.find("csv")->value;
-    const Node& abscissa = node.find(name)->value;
+    const TomlNode& file = node.find("csv")->value;
+    const TomlNode& abscissa = node.find(name)->value;
     for (const auto& [part, text] : {std::pair(std::string("csv"), &file), std::pair(name, &abscissa),
                                      std::pair(std::string("value"), &value->value)}) {
       if (text->is_text()) continue;
@@ -208,8 +208,8 @@ class FunctionReader {
     return read;
   }
 
-  bool outside(const Node& node) {
-    const Entry* const entry = node.find("outside");
+  bool outside(const TomlNode& node) {
+    const TomlEntry* const entry = node.find("outside");
     if (entry == nullptr) return false;
     ParameterDescription choice;
     choice.name = "outside";
@@ -220,7 +220,7 @@ class FunctionReader {
   }
 
   // With outside = "error" the table must reach over the domain, or over the simulated time.
-  bool covers_the_case(const Node& node, const std::string& axis_name, const std::vector<double>& at) {
+  bool covers_the_case(const TomlNode& node, const std::string& axis_name, const std::vector<double>& at) {
     const bool time = axis_name == "t";
     const auto low = reading_.quantities.find(time ? "time.begin" : "domain." + axis_name + "_min");
     const auto high = reading_.quantities.find(time ? "time.end" : "domain." + axis_name + "_max");
@@ -247,7 +247,7 @@ ReadFunction constant_function(double value) {
   return read;
 }
 
-std::optional<ReadFunction> read_function(Reading& reading, const Node& node, const std::string& key,
+std::optional<ReadFunction> read_function(Reading& reading, const TomlNode& node, const std::string& key,
                                           const std::string& unit) {
   return FunctionReader(reading, key, unit).read(node);
 }

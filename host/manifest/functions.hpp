@@ -28,7 +28,7 @@ struct ReadFunction {
 };
 
 // `key` names the value in messages; `unit` is the SI unit of the result. Nothing after a mistake.
-std::optional<ReadFunction> read_function(Reading& reading, const Node& node, const std::string& key,
+std::optional<ReadFunction> read_function(Reading& reading, const TomlNode& node, const std::string& key,
                                           const std::string& unit);
 
 ReadFunction constant_function(double value);

@@ -5,7 +5,7 @@
 
 namespace riffle {
 
-std::string Place::text() const {
+std::string SourcePlace::text() const {
   if (from_override()) return source;
   return source + ':' + std::to_string(line) + ':' + std::to_string(column);
 }

@@ -9,7 +9,7 @@
 namespace riffle {
 
 // Where something stands: a place in a file, or an override given with --set.
-struct Place {
+struct SourcePlace {
   std::string source;        // file as the user named it, or "--set key=value"
   int line = 0, column = 0;  // from 1, in characters; of an override: 0 and its turn
   [[nodiscard]] bool from_override() const { return line == 0; }
@@ -30,13 +30,13 @@ class ManifestError : public std::exception {
 
 class Mistakes {
  public:
-  void add(const Place& place, std::string sentence) { found_.emplace_back(place, std::move(sentence)); }
+  void add(const SourcePlace& place, std::string sentence) { found_.emplace_back(place, std::move(sentence)); }
   [[nodiscard]] std::size_t count() const { return found_.size(); }
   // Throws a ManifestError when there is any: in the order of the file, then those of --set.
   void throw_if_any() const;
 
  private:
-  std::vector<std::pair<Place, std::string>> found_;
+  std::vector<std::pair<SourcePlace, std::string>> found_;
 };
 
 }  // namespace riffle

@@ -29,26 +29,26 @@ std::vector<std::string> split_key(std::string_view key) {
   return empty_part ? std::vector<std::string>{} : parts;
 }
 
-void stand_at(Node& node, const Place& place) {
+void stand_at(TomlNode& node, const SourcePlace& place) {
   node.place = place;
   node.plain_text = false;
-  for (Node& item : node.items) stand_at(item, place);
-  for (Entry& entry : node.entries) {
+  for (TomlNode& item : node.items) stand_at(item, place);
+  for (TomlEntry& entry : node.entries) {
     entry.place = place;
     stand_at(entry.value, place);
   }
 }
 
-Node bare_text(const std::string& text, const Place& place) {
-  Node node;
+TomlNode bare_text(const std::string& text, const SourcePlace& place) {
+  TomlNode node;
   node.place = place;
   node.text = text;
-  node.type = Node::Type::text;
+  node.type = TomlNode::Type::text;
   // ".5" and "5." are numbers to everybody but TOML.
   const auto quantity = split_quantity(text);
   if (quantity && quantity->unit.empty()) {
     if (const auto number = in_si(*quantity, {})) {
-      node.type = Node::Type::real;
+      node.type = TomlNode::Type::real;
       node.number = *number;
     }
   }
@@ -57,10 +57,10 @@ Node bare_text(const std::string& text, const Place& place) {
 
 }  // namespace
 
-Override read_override(const std::string& given, int index, Mistakes& mistakes) {
-  const Place place{"--set " + given, 0, index};
+KeyOverride read_override(const std::string& given, int index, Mistakes& mistakes) {
+  const SourcePlace place{"--set " + given, 0, index};
   const std::size_t equals = given.find('=');
-  Override change;
+  KeyOverride change;
   if (equals != std::string::npos) change.path = split_key(std::string_view(given).substr(0, equals));
   if (change.path.empty()) {
     mistakes.add(place, "an override must be key=value with a dotted key, such as plugins.viscosity.alpha=1.0");
@@ -68,7 +68,7 @@ Override read_override(const std::string& given, int index, Mistakes& mistakes) 
   }
   const std::string text = given.substr(equals + 1);
   try {
-    const Node parsed = read_toml("value = " + text, "");
+    const TomlNode parsed = read_toml("value = " + text, "");
     if (parsed.entries.size() != 1) throw ManifestError({"more than one value"});
     change.value = parsed.entries.front().value;
     stand_at(change.value, place);
@@ -79,16 +79,16 @@ Override read_override(const std::string& given, int index, Mistakes& mistakes) 
   return change;
 }
 
-void apply_override(const Override& change, Node& root, Mistakes& mistakes) {
+void apply_override(const KeyOverride& change, TomlNode& root, Mistakes& mistakes) {
   if (change.path.empty()) return;
-  const Place& place = change.value.place;
-  Node* table = &root;
+  const SourcePlace& place = change.value.place;
+  TomlNode* table = &root;
   std::string path;
   for (std::size_t k = 0; k + 1 < change.path.size(); ++k) {
     path += (path.empty() ? "" : ".") + change.path[k];
-    Entry* next = table->find(change.path[k]);
+    TomlEntry* next = table->find(change.path[k]);
     if (next == nullptr) {
-      Node fresh;
+      TomlNode fresh;
       fresh.place = place;
       table->entries.push_back({change.path[k], place, fresh});
       next = &table->entries.back();
@@ -100,7 +100,7 @@ void apply_override(const Override& change, Node& root, Mistakes& mistakes) {
     }
     table = &next->value;
   }
-  Entry* entry = table->find(change.path.back());
+  TomlEntry* entry = table->find(change.path.back());
   if (entry == nullptr) {
     table->entries.push_back({change.path.back(), place, change.value});
   } else {

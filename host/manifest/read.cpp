@@ -24,7 +24,7 @@ void check_tables(Reading& reading) {
       reading.mistakes.add(top_of(reading), fmt::format("the table [{}] is missing ({})", table.name, table.doc));
     }
   }
-  for (const Entry& entry : reading.root.entries) {
+  for (const TomlEntry& entry : reading.root.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     std::string hint = did_you_mean(entry.key, known);
     if (hint.empty()) hint = "; there are " + all_of(known);
@@ -34,7 +34,7 @@ void check_tables(Reading& reading) {
 }
 
 void read_case_table(Reading& reading) {
-  const Node* const node = find_table(reading, "case");
+  const TomlNode* const node = find_table(reading, "case");
   if (node == nullptr) return;
   const OwnTable own = read_own_table(reading, node, "case");
   reading.result.name = own.text("name");
@@ -43,7 +43,7 @@ void read_case_table(Reading& reading) {
 }
 
 void read_domain(Reading& reading) {
-  const Node* const node = find_table(reading, "domain");
+  const TomlNode* const node = find_table(reading, "domain");
   if (node == nullptr) return;
   const OwnTable own = read_own_table(reading, node, "domain");
   Case& result = reading.result;
@@ -56,7 +56,7 @@ void read_domain(Reading& reading) {
   const std::vector<std::string>& axes = axes_of[static_cast<std::size_t>(reading.dim) - 1];
   for (const std::string name : {"x", "y", "z"}) {
     const auto axis = std::find(axes.begin(), axes.end(), name);
-    const Entry* const given = node->find(name);
+    const TomlEntry* const given = node->find(name);
     if (axis == axes.end()) {
       if (given == nullptr) continue;
       reading.mistakes.add(
@@ -87,7 +87,7 @@ void read_fluid(Reading& reading) {
 }
 
 void read_time(Reading& reading) {
-  const Node* const node = find_table(reading, "time");
+  const TomlNode* const node = find_table(reading, "time");
   if (node == nullptr) return;
   const OwnTable own = read_own_table(reading, node, "time");
   TimeControl& time = reading.result.time;
@@ -116,7 +116,7 @@ void read_output(Reading& reading) {
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                const PluginCatalogue& catalogue) {
-  Node root = read_document(file);
+  TomlNode root = read_document(file);
   Reading reading(root, catalogue);
   apply_overrides(overrides, root, catalogue, reading.mistakes);
   reading.folder = file.parent_path();

@@ -13,7 +13,7 @@ namespace riffle {
 namespace {
 
 // Formulas and tables over an axis that the domain does not have would silently see 0 there.
-void check_axes(Reading& reading, const ReadFunction& function, const Place& place, const std::string& key) {
+void check_axes(Reading& reading, const ReadFunction& function, const SourcePlace& place, const std::string& key) {
   if (reading.dim == 0) return;
   const std::array<bool, 3> present{true, reading.dim == 3, reading.dim >= 2};
   constexpr std::array<const char*, 3> names{"x", "y", "z"};
@@ -37,7 +37,7 @@ std::optional<FieldDescription> field_named(const Reading& reading, const std::s
   return std::nullopt;
 }
 
-std::optional<ReadFunction> read_component(Reading& reading, const Node& node, const std::string& key,
+std::optional<ReadFunction> read_component(Reading& reading, const TomlNode& node, const std::string& key,
                                            const FieldDescription& field) {
   auto function = read_function(reading, node, key, field.unit);
   if (!function) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<ReadFunction> read_component(Reading& reading, const Node& node, c
   return function;
 }
 
-void read_field(Reading& reading, const Entry& entry, const FieldDescription& field) {
+void read_field(Reading& reading, const TomlEntry& entry, const FieldDescription& field) {
   const std::string key = "initial." + field.name;
   const int wanted = reading.dim == 0 ? 0 : components(field.shape, reading.dim);
   const bool one = field.shape == Shape::scalar || (wanted <= 1 && !entry.value.is_array());
@@ -86,7 +86,7 @@ std::vector<std::string> initial_keys(const PluginDescription& equations) {
   return known;
 }
 
-void check_needed(Reading& reading, const Node& initial, const PluginDescription& equations) {
+void check_needed(Reading& reading, const TomlNode& initial, const PluginDescription& equations) {
   const std::vector<std::string> known = initial_keys(equations);
   for (const FieldDescription& field : equations.initial) {
     if (initial.find(field.name) != nullptr || !(field.needed || field.name == "depth")) continue;
@@ -99,9 +99,9 @@ void check_needed(Reading& reading, const Node& initial, const PluginDescription
 }  // namespace
 
 void read_particles(Reading& reading) {
-  const Node* const initial = find_table(reading, "initial");
+  const TomlNode* const initial = find_table(reading, "initial");
   if (initial == nullptr) return;
-  const Entry* const entry = initial->find("particles");
+  const TomlEntry* const entry = initial->find("particles");
   const bool is_table = entry != nullptr && entry->value.is_table();
   if (!is_table) {
     reading.mistakes.add(entry != nullptr ? entry->value.place : initial->place,
@@ -109,7 +109,7 @@ void read_particles(Reading& reading) {
                                      "{{ count = 1000 }}",
                                      entry != nullptr ? "is " + entry->value.shown() : "is missing"));
   } else {
-    const Node& table = entry->value;
+    const TomlNode& table = entry->value;
     const std::size_t before = reading.mistakes.count();
     const OwnTable own = read_own_table(reading, &table, "initial.particles");
     Placement& placement = reading.result.placement;
@@ -118,8 +118,8 @@ void read_particles(Reading& reading) {
     placement.perturbation = own.number("perturbation", 0);
     placement.seed = static_cast<std::uint64_t>(own.number("seed", 1));
     const bool by_volume = own.text("placement") == "equal-volume";
-    const Entry* const count = table.find("count");
-    const Entry* const spacing = table.find("spacing");
+    const TomlEntry* const count = table.find("count");
+    const TomlEntry* const spacing = table.find("spacing");
     if (by_volume) {
       placement.mode = Placement::Mode::equal_volume;
     } else {
@@ -139,7 +139,7 @@ void read_particles(Reading& reading) {
                            "initial.particles with placement = \"equal-volume\" must have count, got spacing");
     }
   }
-  if (const Entry* const inside = initial->find("inside")) {
+  if (const TomlEntry* const inside = initial->find("inside")) {
     const auto function = read_function(reading, inside->value, "initial.inside", "1");
     if (!function) return;
     check_axes(reading, *function, inside->value.place, "initial.inside");
@@ -149,11 +149,11 @@ void read_particles(Reading& reading) {
 }
 
 void read_initial_fields(Reading& reading) {
-  const Entry* const found = reading.root.find("initial");
+  const TomlEntry* const found = reading.root.find("initial");
   if (found == nullptr || !found->value.is_table()) return;
-  const Node& initial = found->value;
+  const TomlNode& initial = found->value;
   const PluginDescription* const equations = equation_set(reading);
-  for (const Entry& entry : initial.entries) {
+  for (const TomlEntry& entry : initial.entries) {
     if (entry.key == "particles" || entry.key == "inside") continue;
     if (const auto field = field_named(reading, entry.key)) {
       read_field(reading, entry, *field);

@@ -27,7 +27,7 @@ std::string unknown_id(const PluginCatalogue& catalogue, const std::string& kind
   return fmt::format("unknown {} plugin \"{}\"{}", kind, id, hint);
 }
 
-void check_dimension(Reading& reading, const PluginDescription& plugin, const Place& place) {
+void check_dimension(Reading& reading, const PluginDescription& plugin, const SourcePlace& place) {
   const auto& dims = plugin.dimensions;
   if (reading.dim == 0 || std::find(dims.begin(), dims.end(), reading.dim) != dims.end()) return;
   std::string list;
@@ -48,10 +48,10 @@ std::vector<std::string> ids_of(const PluginCatalogue& catalogue, const std::str
   return ids;
 }
 
-std::optional<PluginChoice> read_plugin(Reading& reading, const Node& table, const std::string& shown,
+std::optional<PluginChoice> read_plugin(Reading& reading, const TomlNode& table, const std::string& shown,
                                         const std::string& kind, const std::vector<std::string>& besides,
                                         nlohmann::ordered_json& effective) {
-  const Entry* const id = table.find("id");
+  const TomlEntry* const id = table.find("id");
   if (id == nullptr) {
     const std::vector<std::string> ids = ids_of(reading.catalogue, kind);
     reading.mistakes.add(table.place, fmt::format("{}.id is missing; it must be {}", shown,
@@ -80,7 +80,7 @@ std::optional<PluginChoice> read_plugin(Reading& reading, const Node& table, con
   known.push_back("id");
   for (const ParameterDescription& parameter : plugin->parameters) {
     const std::string key = shown + '.' + parameter.name;
-    const Entry* const given = table.find(parameter.name);
+    const TomlEntry* const given = table.find(parameter.name);
     std::optional<ReadValue> read;
     if (given != nullptr) {
       read = read_value(reading, given->value, key, parameter);
@@ -94,7 +94,7 @@ std::optional<PluginChoice> read_plugin(Reading& reading, const Node& table, con
     effective[parameter.name] = read->effective;
     choice.values.push_back(read->value);
   }
-  for (const Entry& entry : table.entries) {
+  for (const TomlEntry& entry : table.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     std::string hint = did_you_mean(entry.key, known);
     if (hint.empty()) hint = names.empty() ? "; it takes no parameters" : "; it takes " + all_of(names);

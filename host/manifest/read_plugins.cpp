@@ -13,7 +13,7 @@ namespace riffle {
 namespace {
 
 // The kind of a slot: its name, or its key `kind`. Empty after a mistake.
-std::string kind_of_slot(Reading& reading, const Entry& slot) {
+std::string kind_of_slot(Reading& reading, const TomlEntry& slot) {
   const ParameterDescription& kind = manifest_key("plugins.kind").value;
   const std::string key = "plugins." + slot.key + ".kind";
   if (slot.key == "reference") {
@@ -22,7 +22,7 @@ std::string kind_of_slot(Reading& reading, const Entry& slot) {
     return "";
   }
   const bool named = std::find(kind.choices.begin(), kind.choices.end(), slot.key) != kind.choices.end();
-  const Entry* const given = slot.value.find("kind");
+  const TomlEntry* const given = slot.value.find("kind");
   if (given == nullptr) {
     if (named) return slot.key;
     const std::string near = nearest(slot.key, kind.choices);
@@ -41,8 +41,9 @@ std::string kind_of_slot(Reading& reading, const Entry& slot) {
   return read->value.text;
 }
 
-void check_number_of(Reading& reading, const std::string& kind, const std::vector<const Entry*>& slots) {
-  const Node* const plugins = reading.root.find("plugins") != nullptr ? &reading.root.find("plugins")->value : nullptr;
+void check_number_of(Reading& reading, const std::string& kind, const std::vector<const TomlEntry*>& slots) {
+  const TomlNode* const plugins =
+      reading.root.find("plugins") != nullptr ? &reading.root.find("plugins")->value : nullptr;
   if (slots.empty()) {
     const std::vector<std::string> ids = ids_of(reading.catalogue, kind);
     reading.mistakes.add(plugins != nullptr ? plugins->place : top_of(reading),
@@ -64,8 +65,8 @@ void choose_integrator(Reading& reading) {
   const auto& allowed = equations->integrators;
   std::string& integrator = reading.result.time.integrator;
   if (std::find(allowed.begin(), allowed.end(), integrator) != allowed.end()) return;
-  const Entry* const time = reading.root.find("time");
-  const Entry* const given = time != nullptr ? time->value.find("integrator") : nullptr;
+  const TomlEntry* const time = reading.root.find("time");
+  const TomlEntry* const given = time != nullptr ? time->value.find("integrator") : nullptr;
   if (given != nullptr) {
     reading.mistakes.add(given->value.place, fmt::format("time.integrator must be {} with equations \"{}\", got {}",
                                                          any_of(allowed), equations->id, given->value.shown()));
@@ -85,11 +86,11 @@ const PluginDescription* equation_set(const Reading& reading) {
 }
 
 void read_plugins(Reading& reading) {
-  std::map<std::string, std::vector<const Entry*>> slots_of_kind;
+  std::map<std::string, std::vector<const TomlEntry*>> slots_of_kind;
   bool kind_unclear = false;
-  const Node* const plugins = find_table(reading, "plugins");
+  const TomlNode* const plugins = find_table(reading, "plugins");
   if (plugins != nullptr) {
-    for (const Entry& slot : plugins->entries) {
+    for (const TomlEntry& slot : plugins->entries) {
       if (!slot.value.is_table()) {
         reading.mistakes.add(slot.place, fmt::format("plugins.{} must be a table [plugins.{}] with an id, got {}",
                                                      slot.key, slot.key, slot.value.shown()));

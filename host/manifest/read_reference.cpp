@@ -11,7 +11,7 @@
 namespace riffle {
 
 void read_reference(Reading& reading) {
-  const Node* const table = find_table(reading, "reference");
+  const TomlNode* const table = find_table(reading, "reference");
   if (table == nullptr) {
     reading.effective.erase("reference");
     return;
@@ -19,11 +19,11 @@ void read_reference(Reading& reading) {
   nlohmann::ordered_json& effective = reading.effective["reference"];
   auto plugin = read_plugin(reading, *table, "reference", "reference", {"ignore_below", "region"}, effective);
   ReferenceControl control;
-  if (const Entry* const region = table->find("region")) {
+  if (const TomlEntry* const region = table->find("region")) {
     control.region = read_interval(reading, region->value, "reference.region", manifest_key("reference.region").value);
     if (control.region) effective["region"] = *control.region;
   }
-  const Entry* const limits = table->find("ignore_below");
+  const TomlEntry* const limits = table->find("ignore_below");
   if (limits != nullptr && !limits->value.is_table()) {
     reading.mistakes.add(limits->value.place,
                          fmt::format("reference.ignore_below must be a table such as {{ depth = \"1 "
@@ -32,7 +32,7 @@ void read_reference(Reading& reading) {
   } else if (limits != nullptr && plugin) {
     std::vector<std::string> fields;
     for (const FieldDescription& field : plugin->description->gives) fields.push_back(field.name);
-    for (const Entry& entry : limits->value.entries) {
+    for (const TomlEntry& entry : limits->value.entries) {
       const auto field = std::find(fields.begin(), fields.end(), entry.key);
       if (field == fields.end()) {
         std::string hint = did_you_mean(entry.key, fields);

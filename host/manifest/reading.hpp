@@ -13,9 +13,9 @@
 namespace riffle {
 
 struct Reading {
-  Reading(const Node& root, const PluginCatalogue& catalogue) : root(root), catalogue(catalogue) {}
+  Reading(const TomlNode& root, const PluginCatalogue& catalogue) : root(root), catalogue(catalogue) {}
 
-  const Node& root;
+  const TomlNode& root;
   const PluginCatalogue& catalogue;
   std::filesystem::path folder;  // relative paths start here
   Mistakes mistakes;

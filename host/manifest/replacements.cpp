@@ -7,10 +7,10 @@ namespace {
 
 using Path = std::vector<std::string>;
 
-const Node* find_node(const Node& root, const Path& path) {
-  const Node* at = &root;
+const TomlNode* find_node(const TomlNode& root, const Path& path) {
+  const TomlNode* at = &root;
   for (const std::string& part : path) {
-    const Entry* const entry = at->find(part);
+    const TomlEntry* const entry = at->find(part);
     if (entry == nullptr) return nullptr;
     at = &entry->value;
   }
@@ -22,18 +22,18 @@ Path joined(Path path, const std::string& key) {
   return path;
 }
 
-bool any_override_of(const std::vector<Override>& changes, const Path& path) {
-  return std::any_of(changes.begin(), changes.end(), [&](const Override& change) {
+bool any_override_of(const std::vector<KeyOverride>& changes, const Path& path) {
+  return std::any_of(changes.begin(), changes.end(), [&](const KeyOverride& change) {
     return change.path.size() >= path.size() && std::equal(path.begin(), path.end(), change.path.begin());
   });
 }
 
-std::string text_at(const Node& root, const Path& path) {
-  const Node* const node = find_node(root, path);
+std::string text_at(const TomlNode& root, const Path& path) {
+  const TomlNode* const node = find_node(root, path);
   return node != nullptr && node->is_text() ? node->text : "";
 }
 
-const PluginDescription* plugin_at(const Node& root, const Path& table, const PluginCatalogue& catalogue) {
+const PluginDescription* plugin_at(const TomlNode& root, const Path& table, const PluginCatalogue& catalogue) {
   std::string kind = text_at(root, joined(table, "kind"));
   if (kind.empty()) kind = table.back();
   return catalogue.find(kind, text_at(root, joined(table, "id")));
@@ -45,25 +45,26 @@ bool takes(const PluginDescription& plugin, const std::string& key) {
                      [&](const ParameterDescription& parameter) { return parameter.name == key; });
 }
 
-void erase_entries(Node& root, const Path& table, const std::vector<std::string>& keys) {
-  auto* const node = const_cast<Node*>(find_node(root, table));
+void erase_entries(TomlNode& root, const Path& table, const std::vector<std::string>& keys) {
+  auto* const node = const_cast<TomlNode*>(find_node(root, table));
   if (node == nullptr) return;
   auto& entries = node->entries;
-  entries.erase(
-      std::remove_if(entries.begin(), entries.end(),
-                     [&](const Entry& entry) { return std::find(keys.begin(), keys.end(), entry.key) != keys.end(); }),
-      entries.end());
+  entries.erase(std::remove_if(entries.begin(), entries.end(),
+                               [&](const TomlEntry& entry) {
+                                 return std::find(keys.begin(), keys.end(), entry.key) != keys.end();
+                               }),
+                entries.end());
 }
 
-void drop_former_parameters(const Node& original, Node& root, const Path& table, const std::vector<Override>& changes,
-                            const PluginCatalogue& catalogue) {
-  const Node* const before = find_node(original, table);
+void drop_former_parameters(const TomlNode& original, TomlNode& root, const Path& table,
+                            const std::vector<KeyOverride>& changes, const PluginCatalogue& catalogue) {
+  const TomlNode* const before = find_node(original, table);
   const PluginDescription* const now = plugin_at(root, table, catalogue);
   if (before == nullptr || now == nullptr || !before->is_table()) return;
   const PluginDescription* const former = plugin_at(original, table, catalogue);
   if (former == now) return;
   std::vector<std::string> dropped;
-  for (const Entry& entry : before->entries) {
+  for (const TomlEntry& entry : before->entries) {
     if (entry.key == "kind" || entry.key == "id" || takes(*now, entry.key)) continue;
     // A key that the former plugin did not have either is a slip of the file and stays to be reported.
     if (former != nullptr && !takes(*former, entry.key)) continue;
@@ -74,15 +75,15 @@ void drop_former_parameters(const Node& original, Node& root, const Path& table,
 
 }  // namespace
 
-void apply_overrides(const std::vector<std::string>& overrides, Node& root, const PluginCatalogue& catalogue,
+void apply_overrides(const std::vector<std::string>& overrides, TomlNode& root, const PluginCatalogue& catalogue,
                      Mistakes& mistakes) {
-  const Node original = root;
-  std::vector<Override> changes;
+  const TomlNode original = root;
+  std::vector<KeyOverride> changes;
   for (const std::string& given : overrides) {
     changes.push_back(read_override(given, static_cast<int>(changes.size()), mistakes));
     apply_override(changes.back(), root, mistakes);
   }
-  for (const Override& change : changes) {
+  for (const KeyOverride& change : changes) {
     const Path& path = change.path;
     const bool of_slot = path.size() == 3 && path[0] == "plugins" && path[2] == "id";
     const bool of_reference = path == Path{"reference", "id"};

@@ -13,7 +13,7 @@ namespace riffle {
 // - where the id of a plugin was overridden, keys of the file for the former plugin that the new one does not have go;
 // - where the count of particles was overridden, the file's spacing goes, and the other way round.
 // What came with --set itself always stays.
-void apply_overrides(const std::vector<std::string>& overrides, Node& root, const PluginCatalogue& catalogue,
+void apply_overrides(const std::vector<std::string>& overrides, TomlNode& root, const PluginCatalogue& catalogue,
                      Mistakes& mistakes);
 
 }  // namespace riffle

@@ -10,14 +10,14 @@
 
 namespace riffle {
 
-bool Range::contains(double value) const {
+bool AllowedRange::contains(double value) const {
   if (std::isnan(value)) return false;
   if (has_min && (above_min ? value <= min : value < min)) return false;
   return !(has_max && (below_max ? value >= max : value > max));
 }
 
-Range range_of(const ParameterDescription& parameter) {
-  Range range;
+AllowedRange range_of(const ParameterDescription& parameter) {
+  AllowedRange range;
   if (!(parameter.min < parameter.max)) return range;
   range.has_min = std::isfinite(parameter.min);
   range.has_max = std::isfinite(parameter.max);
@@ -29,7 +29,7 @@ Range range_of(const ParameterDescription& parameter) {
 }
 
 std::string bounds_in_words(const ParameterDescription& parameter) {
-  const Range range = range_of(parameter);
+  const AllowedRange range = range_of(parameter);
   std::string words;
   if (range.has_min && range.has_max && !range.above_min && !range.below_max) {
     words = fmt::format("from {} to {}", range.min, range.max);

@@ -8,12 +8,12 @@
 namespace riffle {
 
 // Where min < max the two bound the value; otherwise the range is not declared and nothing is out of it.
-struct Range {
+struct AllowedRange {
   bool has_min = false, has_max = false, above_min = false, below_max = false;
   double min = 0, max = 0;
   [[nodiscard]] bool contains(double value) const;  // false for NaN
 };
-Range range_of(const ParameterDescription& parameter);
+AllowedRange range_of(const ParameterDescription& parameter);
 
 // "above 0 m", "from 0 to 10", "of at least 1 and below 3 s"; "" without bounds.
 std::string bounds_in_words(const ParameterDescription& parameter);

@@ -23,7 +23,7 @@ std::string definition_of(const PluginDescription& plugin) {
 
 json bounded(const std::string& type, const ParameterDescription& parameter) {
   json schema = {{"type", type}};
-  const Range range = range_of(parameter);
+  const AllowedRange range = range_of(parameter);
   if (range.has_min) schema[range.above_min ? "exclusiveMinimum" : "minimum"] = range.min;
   if (range.has_max) schema[range.below_max ? "exclusiveMaximum" : "maximum"] = range.max;
   return schema;

@@ -23,7 +23,7 @@ void read_reference(Reading& reading);
 
 // One plugin: id, parameters and defaults, from the table [`shown`]. Keys in `besides` are left to the caller. The kind
 // is known. Nothing when the plugin is not.
-std::optional<PluginChoice> read_plugin(Reading& reading, const Node& table, const std::string& shown,
+std::optional<PluginChoice> read_plugin(Reading& reading, const TomlNode& table, const std::string& shown,
                                         const std::string& kind, const std::vector<std::string>& besides,
                                         nlohmann::ordered_json& effective);
 

@@ -34,7 +34,7 @@ class KeyReader {
  public:
   KeyReader(Reading& reading, const ManifestKey& key) : reading_(reading), key_(key), path_(key.path()) {}
 
-  std::optional<OwnValue> read(const Node& node) {
+  std::optional<OwnValue> read(const TomlNode& node) {
     switch (key_.form) {
       case ManifestKey::Form::single: return single(node);
       case ManifestKey::Form::interval: return interval(node);
@@ -44,7 +44,7 @@ class KeyReader {
     return std::nullopt;
   }
 
-  std::optional<OwnValue> absent(const Place& table, bool misspelt) {
+  std::optional<OwnValue> absent(const SourcePlace& table, bool misspelt) {
     if (key_.value.required && !misspelt) {
       reading_.mistakes.add(table, fmt::format("{} is missing; it must be {}", path_, rule_of(key_, reading_.dim)));
     }
@@ -69,7 +69,7 @@ class KeyReader {
     return OwnValue{read->value, {}, {}};
   }
 
-  std::optional<OwnValue> single(const Node& node) {
+  std::optional<OwnValue> single(const TomlNode& node) {
     const auto read = read_value(reading_, node, path_, key_.value);
     if (read && !key_.pattern.empty() && !std::regex_match(read->value.text, std::regex(key_.pattern))) {
       const std::string suggestion = as_name(read->value.text);
@@ -81,21 +81,21 @@ class KeyReader {
     return take(read);
   }
 
-  std::optional<OwnValue> interval(const Node& node) {
+  std::optional<OwnValue> interval(const TomlNode& node) {
     const auto range = read_interval(reading_, node, path_, key_.value);
     if (!range) return std::nullopt;
     effective() = *range;
     return OwnValue{{}, *range, {}};
   }
 
-  std::optional<OwnValue> words(const Node& node) {
+  std::optional<OwnValue> words(const TomlNode& node) {
     OwnValue value;
     if (!node.is_array()) {
       reading_.mistakes.add(node.place, fmt::format("{} must be an array of texts, got {}", path_, node.shown()));
       return std::nullopt;
     }
     for (std::size_t k = 0; k < node.items.size(); ++k) {
-      const Node& item = node.items[k];
+      const TomlNode& item = node.items[k];
       if (!item.is_text()) {
         reading_.mistakes.add(item.place,
                               fmt::format("{}[{}] must be a text in quotes, got {}", path_, k, item.shown()));
@@ -128,16 +128,16 @@ std::string OwnTable::text(const std::string& name) const {
   return value != nullptr ? value->value.text : "";
 }
 
-OwnTable read_own_table(Reading& reading, const Node* node, const std::string& table,
+OwnTable read_own_table(Reading& reading, const TomlNode* node, const std::string& table,
                         const std::vector<std::string>& further) {
   OwnTable own;
-  const Place place = node != nullptr ? node->place : top_of(reading);
+  const SourcePlace place = node != nullptr ? node->place : top_of(reading);
   std::vector<std::string> known = further;
   for (const ManifestKey* key : keys_of(table)) known.push_back(key->value.name);
   for (const ManifestKey* key : keys_of(table)) {
     if (key->form == ManifestKey::Form::limits) continue;
     const std::string& name = key->value.name;
-    const Entry* const entry = node != nullptr ? node->find(name) : nullptr;
+    const TomlEntry* const entry = node != nullptr ? node->find(name) : nullptr;
     KeyReader reader(reading, *key);
     const auto value = entry != nullptr ? reader.read(entry->value)
                                         : reader.absent(place, node != nullptr && misspelt(*node, name, known));
@@ -151,15 +151,15 @@ OwnTable read_own_table(Reading& reading, const Node* node, const std::string& t
   return own;
 }
 
-const Node* find_table(Reading& reading, const std::string& name) {
-  const Entry* const entry = reading.root.find(name);
+const TomlNode* find_table(Reading& reading, const std::string& name) {
+  const TomlEntry* const entry = reading.root.find(name);
   if (entry == nullptr) return nullptr;
   if (entry->value.is_table()) return &entry->value;
   reading.mistakes.add(entry->place, fmt::format("{} must be a table [{}], got {}", name, name, entry->value.shown()));
   return nullptr;
 }
 
-Place top_of(const Reading& reading) {
+SourcePlace top_of(const Reading& reading) {
   return {reading.root.place.source, 1, 1};
 }
 

@@ -26,21 +26,21 @@ class OwnTable {
   [[nodiscard]] std::string text(const std::string& name) const;
 
  private:
-  friend OwnTable read_own_table(Reading&, const Node*, const std::string&, const std::vector<std::string>&);
+  friend OwnTable read_own_table(Reading&, const TomlNode*, const std::string&, const std::vector<std::string>&);
   std::map<std::string, OwnValue> values_;
 };
 
 // Reads the keys of `table` from `node` (nullptr: absent, all defaults), notes mistakes, writes reading.effective and
 // reading.quantities. Unknown keys are mistakes unless they are among `further`. Keys of the form `limits` are left to
 // the caller.
-OwnTable read_own_table(Reading& reading, const Node* node, const std::string& table,
+OwnTable read_own_table(Reading& reading, const TomlNode* node, const std::string& table,
                         const std::vector<std::string>& further = {});
 
 // The top-level table of that name; nullptr when it is absent, or no table (a mistake).
-const Node* find_table(Reading& reading, const std::string& name);
+const TomlNode* find_table(Reading& reading, const std::string& name);
 
 // Where things stand that the manifest does not have at all.
-Place top_of(const Reading& reading);
+SourcePlace top_of(const Reading& reading);
 
 // The part of reading.effective that belongs to "initial.particles" and the like.
 nlohmann::ordered_json& effective_at(Reading& reading, const std::string& table);

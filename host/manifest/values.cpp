@@ -15,7 +15,7 @@ namespace {
 
 constexpr double largest_exact_integer = 9007199254740992.0;  // 2^53
 
-void refuse(Reading& reading, const Node& node, const std::string& key, const ParameterDescription& description,
+void refuse(Reading& reading, const TomlNode& node, const std::string& key, const ParameterDescription& description,
             const std::string& remark = "") {
   reading.mistakes.add(node.place, fmt::format("{} must be {}, got {}{}", key, rule_in_words(description, reading.dim),
                                                node.shown(), remark));
@@ -26,7 +26,7 @@ SiDimension dimension_of(const std::string& unit, int dim) {
 }
 
 // The value of a text such as "15.9 mm".
-std::optional<double> real_from_text(Reading& reading, const Node& node, const std::string& key,
+std::optional<double> real_from_text(Reading& reading, const TomlNode& node, const std::string& key,
                                      const ParameterDescription& description) {
   const auto quantity = split_quantity(node.text);
   if (!quantity) {
@@ -58,7 +58,7 @@ std::optional<double> real_from_text(Reading& reading, const Node& node, const s
   }
 }
 
-std::optional<ReadValue> read_integer(Reading& reading, const Node& node, const std::string& key,
+std::optional<ReadValue> read_integer(Reading& reading, const TomlNode& node, const std::string& key,
                                       const ParameterDescription& description) {
   if (!node.is_number() || node.number != std::floor(node.number) || std::abs(node.number) > largest_exact_integer ||
       !range_of(description).contains(node.number)) {
@@ -71,7 +71,7 @@ std::optional<ReadValue> read_integer(Reading& reading, const Node& node, const 
   return read;
 }
 
-std::optional<ReadValue> read_text(Reading& reading, const Node& node, const std::string& key,
+std::optional<ReadValue> read_text(Reading& reading, const TomlNode& node, const std::string& key,
                                    const ParameterDescription& description) {
   // On a command line nobody quotes: --set case.title=2024 means a text all the same.
   if (!node.is_text() && !node.place.from_override()) {
@@ -92,7 +92,7 @@ std::optional<ReadValue> read_text(Reading& reading, const Node& node, const std
   return read;
 }
 
-std::optional<ReadValue> read_choice(Reading& reading, const Node& node, const std::string& key,
+std::optional<ReadValue> read_choice(Reading& reading, const TomlNode& node, const std::string& key,
                                      const ParameterDescription& description) {
   const auto& choices = description.choices;
   const bool readable = node.is_text() || node.place.from_override();
@@ -126,7 +126,7 @@ ReadValue function_value(const ReadFunction& function) {
 
 }  // namespace
 
-std::optional<double> read_real(Reading& reading, const Node& node, const std::string& key,
+std::optional<double> read_real(Reading& reading, const TomlNode& node, const std::string& key,
                                 const ParameterDescription& description) {
   std::optional<double> value;
   if (node.is_number()) {
@@ -143,7 +143,7 @@ std::optional<double> read_real(Reading& reading, const Node& node, const std::s
   return value;
 }
 
-std::optional<ReadValue> read_value(Reading& reading, const Node& node, const std::string& key,
+std::optional<ReadValue> read_value(Reading& reading, const TomlNode& node, const std::string& key,
                                     const ParameterDescription& description) {
   std::optional<ReadValue> read;
   switch (description.type) {
@@ -157,7 +157,7 @@ std::optional<ReadValue> read_value(Reading& reading, const Node& node, const st
       if (const auto function = read_function(reading, node, key, description.unit)) read = function_value(*function);
       break;
     case ParameterType::boolean:
-      if (node.type == Node::Type::boolean) {
+      if (node.type == TomlNode::Type::boolean) {
         read = number_value(node.boolean ? 1 : 0);
         read->effective = node.boolean;
       } else {
@@ -171,7 +171,7 @@ std::optional<ReadValue> read_value(Reading& reading, const Node& node, const st
   return read;
 }
 
-std::optional<ReadValue> default_value(Reading& reading, const Place& table, const std::string& key,
+std::optional<ReadValue> default_value(Reading& reading, const SourcePlace& table, const std::string& key,
                                        const ParameterDescription& description) {
   double number = description.fallback;
   if (!description.inherit.empty()) {
@@ -219,7 +219,7 @@ std::optional<ReadValue> default_value(Reading& reading, const Place& table, con
   return read;
 }
 
-std::optional<std::array<double, 2>> read_interval(Reading& reading, const Node& node, const std::string& key,
+std::optional<std::array<double, 2>> read_interval(Reading& reading, const TomlNode& node, const std::string& key,
                                                    const ParameterDescription& description) {
   if (!node.is_array() || node.items.size() != 2) {
     reading.mistakes.add(node.place, fmt::format("{} must be [low, high], each {}, got {}", key,
@@ -237,9 +237,9 @@ std::optional<std::array<double, 2>> read_interval(Reading& reading, const Node&
   return std::array<double, 2>{*low, *high};
 }
 
-void refuse_unknown_keys(Reading& reading, const Node& table, const std::string& shown,
+void refuse_unknown_keys(Reading& reading, const TomlNode& table, const std::string& shown,
                          const std::vector<std::string>& known) {
-  for (const Entry& entry : table.entries) {
+  for (const TomlEntry& entry : table.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     std::string hint = did_you_mean(entry.key, known);
     if (hint.empty()) hint = "; it takes " + all_of(known);
@@ -247,8 +247,8 @@ void refuse_unknown_keys(Reading& reading, const Node& table, const std::string&
   }
 }
 
-bool misspelt(const Node& table, const std::string& name, const std::vector<std::string>& known) {
-  return std::any_of(table.entries.begin(), table.entries.end(), [&](const Entry& entry) {
+bool misspelt(const TomlNode& table, const std::string& name, const std::vector<std::string>& known) {
+  return std::any_of(table.entries.begin(), table.entries.end(), [&](const TomlEntry& entry) {
     return std::find(known.begin(), known.end(), entry.key) == known.end() && nearest(entry.key, known) == name;
   });
 }
