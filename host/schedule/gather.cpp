@@ -31,7 +31,6 @@ std::int64_t gather_block(const GatherArguments& g) {
   const std::int64_t last = g.last;
   const int own_count = Own >= 0 ? Own : g.own_count;
   const bool squares = g.squares;
-  const int slots = g.slots;
   double* w = g.arena;
   for (std::int64_t i = g.first; i < last; ++i) {
     const double* mine = records + i * record;
@@ -68,9 +67,7 @@ std::int64_t gather_block(const GatherArguments& g) {
       store4(w + Dim * Stride, root4(r2));  // here, and not in a loop of its own: it overlaps with the loads
       if constexpr (Approach) store4(w + (Dim + 2) * Stride, vr);
 #pragma GCC unroll 32
-      for (int k = head; k < record; ++k) {
-        if (k < record - 3 || k - head < slots) store4(w + (Dim + 3 + k - head) * Stride, s[k]);
-      }
+      for (int k = head; k < record; ++k) store4(w + (Dim + 3 + k - head) * Stride, s[k]);
 #pragma GCC unroll 4
       for (int o = 0; o < own_count; ++o) store4(w + (first_own + o) * Stride, own[o]);
     }

@@ -20,7 +20,6 @@ struct GatherArguments {
   const double* own[gathered_own] = {};     // [owned]
   int own_count = 0;
   bool squares = true;               // store distance squared as well
-  int slots = 0;                     // of the record, behind position and velocity, that are used
   std::int64_t first = 0, last = 0;  // targets of the block
   double* arena = nullptr;  // arrays of `stride` doubles: separation, distance, its square, approach, slots, own
 };

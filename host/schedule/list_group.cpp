@@ -251,16 +251,8 @@ GroupFailure ListGroup::run(std::int64_t first, std::int64_t last, int thread, d
   const ActivePlugin* kernel =
       graph_.kernel() >= 0 ? &graph_.plugins()[static_cast<std::size_t>(graph_.kernel())] : nullptr;
   const bool any_op = layout_.ops.size() > static_cast<std::size_t>(layout_.own_count);
-  GatherArguments arguments{records_.data(),
-                            list_->neighbour.data(),
-                            begin,
-                            {},
-                            layout_.own_count,
-                            layout_.squares,
-                            static_cast<int>(layout_.slots.size()),
-                            0,
-                            0,
-                            arena};
+  GatherArguments arguments{
+      records_.data(), list_->neighbour.data(), begin, {}, layout_.own_count, layout_.squares, 0, 0, arena};
   int gathered = 0;
   for (std::size_t o = 0; o < layout_.ops.size() && gathered < layout_.own_count; ++o) {
     if (layout_.ops[o].kind == GatherOp::Kind::own) arguments.own[gathered++] = own_[o];
