@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace riffle::test {
 
@@ -22,6 +23,21 @@ riffle_kernel kernel_of(const Graph& graph) {
 }
 
 }  // namespace
+
+void Ran::note(const char* name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  names_.insert(name);
+}
+
+std::set<std::string> Ran::take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(names_, {});
+}
+
+Ran& ran() {
+  static Ran one;
+  return one;
+}
 
 Toys& Toys::add(const riffle_plugin& table, const std::map<std::string, double>& numbers,
                 const std::map<std::string, std::string>& words) {

@@ -9,9 +9,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <random>
 #include <riffle/radial_kernel.hpp>
 #include <riffle/sdk.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -68,6 +70,28 @@ struct Scale {
   template <class P>
   static void run(const P&, const Block& b) {
     for (std::int64_t k = 0; k < b.size(); ++k) b.out(0)[k] = Factor * b.in(0)[k];
+  }
+};
+
+// Names of the passes that have run since it was last cleared.
+class Ran {
+ public:
+  void note(const char* name);
+  std::set<std::string> take();  // and forgets them
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> names_;
+};
+Ran& ran();
+
+// A pass that leaves its name behind.
+template <class Pass>
+struct Noted : Pass {
+  template <class P>
+  static void run(const P& plugin, const Block& block) {
+    ran().note(Pass::pass_name);
+    Pass::run(plugin, block);
   }
 };
 
