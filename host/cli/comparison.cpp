@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "host/plugins/call.hpp"
+#include "host/plugins/contracts.hpp"
 #include "host/schedule/run_error.hpp"
 
 namespace riffle {
@@ -17,6 +19,8 @@ Comparison::Comparison(const Case& scene, const Registry& registry) : case_(scen
   const PluginChoice& choice = scene.reference->plugin;
   reference_ =
       std::make_unique<PluginInstance>(*registry.plugin("reference", choice.id), scene.dimension, choice.values);
+  const auto broken = contract_problems(*reference_);
+  if (!broken.empty()) throw PluginError(broken.front());
 }
 
 Comparison::Values Comparison::evaluate(std::int64_t n, const double* const x[3], double time) const {
@@ -41,9 +45,12 @@ Comparison::Values Comparison::evaluate(std::int64_t n, const double* const x[3]
   for (auto& s : values.scale) scale.push_back(s.data());
   riffle_points points{sizeof(riffle_points), case_.dimension, n, {x[0], x[1], x[2]}, time};
   riffle_error error{sizeof(riffle_error), {}};
-  if (table.evaluate_reference(reference_->self(), &points, value.data(), scale.data(), values.defined.data(),
-                               &error) != RIFFLE_OK) {
-    throw RunError(reference_->name() + ": " + error.message);
+  const auto evaluate_it = [&] {
+    return may_throw(table.evaluate_reference)(reference_->self(), &points, value.data(), scale.data(),
+                                               values.defined.data(), &error);
+  };
+  if (call_plugin(error, evaluate_it) != RIFFLE_OK) {
+    throw RunError(reference_->name() + ": " + message_of(error));
   }
   return values;
 }

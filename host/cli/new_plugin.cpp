@@ -40,7 +40,7 @@ void require_kind(const std::string& kind) {
   const auto& kinds = plugin_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return;
   throw std::runtime_error(
-      fmt::format("there is no kind \"{}\"{}; kinds are {}", kind, did_you_mean(kind, kinds), fmt::join(kinds, ", ")));
+      fmt::format("there is no kind \"{}\"; kinds are {}{}", kind, fmt::join(kinds, ", "), did_you_mean(kind, kinds)));
 }
 
 void require_id(const std::string& id) {

@@ -17,6 +17,9 @@ std::string with_article(const std::string& kind) {
 }
 
 std::string unknown_id(const PluginCatalogue& catalogue, const std::string& kind, const std::string& id) {
+  if (const std::string why = catalogue.why_missing(kind, id); !why.empty()) {
+    return fmt::format("the {} plugin \"{}\" cannot be used: {}", kind, id, why);
+  }
   for (const PluginDescription* plugin : catalogue.all()) {
     if (plugin->id == id)
       return fmt::format("\"{}\" is {}, not {}", id, with_article(plugin->kind), with_article(kind));

@@ -18,6 +18,10 @@
 
 namespace riffle {
 
+// The kinds of the first five lines, whose contract is demanded before each run; what equations, boundaries and filters
+// make of made-up numbers is only looked at by `riffle check`.
+bool has_contract(const std::string& kind);
+
 // Sentences about what this instance breaks, each beginning with its kind and id; empty when all is well.
 std::vector<std::string> contract_problems(const PluginInstance& instance);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "host/neighbours/neighbours.hpp"
+#include "host/plugins/call.hpp"
 
 namespace riffle {
 
@@ -183,6 +184,9 @@ bool LineGroup::evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int
       }
     }
   }
+  riffle_error error;
+  error.size = sizeof error;
+  error.message[0] = '\0';
   if (!layout_.kernels.empty()) {
     const ActivePlugin& kernel = graph_.plugins()[static_cast<std::size_t>(graph_.kernel())];
     for (const KernelCall& call : layout_.kernels) {
@@ -192,18 +196,23 @@ bool LineGroup::evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int
       const double* inverse_l = place.column < 0
                                     ? array(call.inverse_l)
                                     : columns_[static_cast<std::size_t>(place.column)].data() + (place.at_j ? j : i);
-      kernel.table->evaluate_kernel(kernel.self, n, array(layout_.r()), inverse_l, call.want, out);
+      const auto evaluate = [&] {
+        return may_throw(kernel.table->evaluate_kernel)(kernel.self, n, array(layout_.r()), inverse_l, call.want, out);
+      };
+      if (call_plugin(error, evaluate) != RIFFLE_OK) {
+        failure = {layout_.calls.front().node, "kernel " + kernel.id + ": " + message_of(error)};
+        return false;
+      }
     }
   }
   point(local, i, j);
-  riffle_error error;
-  error.size = sizeof error;
   for (std::size_t c = 0; c < layout_.calls.size(); ++c) {
     const PassNode& called = graph_.nodes()[static_cast<std::size_t>(layout_.calls[c].node)];
     const riffle_block block{sizeof(riffle_block),     1, n, first, time, dt, local.calls[c].in.data(),
                              local.calls[c].out.data()};
-    if (called.pass->run(graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, &block, &error) != RIFFLE_OK) {
-      failure = {layout_.calls[c].node, error.message};
+    if (run_pass(*called.pass, graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, block, error) !=
+        RIFFLE_OK) {
+      failure = {layout_.calls[c].node, message_of(error)};
       return false;
     }
   }

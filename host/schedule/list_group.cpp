@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "host/neighbours/neighbours.hpp"
+#include "host/plugins/call.hpp"
 
 namespace riffle {
 
@@ -259,6 +260,7 @@ GroupFailure ListGroup::run(std::int64_t first, std::int64_t last, int thread, d
   }
   riffle_error error;
   error.size = sizeof error;
+  error.message[0] = '\0';
 
   for (std::int64_t i0 = first; i0 < last;) {
     std::int64_t i1 = i0 + 1;
@@ -270,11 +272,19 @@ GroupFailure ListGroup::run(std::int64_t first, std::int64_t last, int thread, d
     if (any_op) fill_ops(arena, i0, i1);
     if (layout_.any_self) fill_own_pairs(arena, self, i0, i1 - i0);
     const std::int64_t n = round_up(self + (layout_.any_self ? i1 - i0 : 0), 8);
-    for (const auto& call : local.kernels)
-      kernel->table->evaluate_kernel(kernel->self, n, distance, call.inverse_l, call.want, call.out);
+    for (const auto& call : local.kernels) {
+      const auto evaluate = [&] {
+        return may_throw(kernel->table->evaluate_kernel)(kernel->self, n, distance, call.inverse_l, call.want,
+                                                         call.out);
+      };
+      if (call_plugin(error, evaluate) != RIFFLE_OK) {
+        return {local.calls.front().node, "kernel " + kernel->id + ": " + message_of(error)};
+      }
+    }
     for (const auto& call : local.calls) {
       const riffle_block block{sizeof(riffle_block), layout_.dim, n, i0, time, dt, call.in.data(), call.out.data()};
-      if (call.run(call.self, &block, &error) != RIFFLE_OK) return {call.node, error.message};
+      const auto run_it = [&] { return may_throw(call.run)(call.self, &block, &error); };
+      if (call_plugin(error, run_it) != RIFFLE_OK) return {call.node, message_of(error)};
     }
     for (std::size_t k = 0; k < layout_.keeps.size(); ++k) {
       std::copy_n(arena + static_cast<std::ptrdiff_t>(layout_.keeps[k].array) * stride_, self, keep_to_[k] + begin[i0]);

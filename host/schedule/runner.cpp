@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "host/plugins/call.hpp"
 #include "host/schedule/line.hpp"
 #include "host/schedule/list_group.hpp"
 
@@ -231,9 +232,11 @@ void Runner::run_particles(const PassNode& called, const std::set<int>& zero, st
   tables.close();
   riffle_error error;
   error.size = sizeof error;
+  error.message[0] = '\0';
   const riffle_block block = block_of(store_.dim(), last - first, first, time, dt, tables);
-  if (called.pass->run(graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, &block, &error) != RIFFLE_OK) {
-    fail(called, error.message);
+  if (run_pass(*called.pass, graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, block, error) !=
+      RIFFLE_OK) {
+    fail(called, message_of(error));
     return;
   }
   for (const auto& w : called.writes) {
@@ -242,8 +245,10 @@ void Runner::run_particles(const PassNode& called, const std::set<int>& zero, st
     const double* values = field_[static_cast<std::size_t>(w.field)]->component[0].data();
     for (std::int64_t i = first; i < last; ++i) {
       if (values[i] >= 0) continue;
-      fail(called, field.name + " = " + std::to_string(values[i]) + " at particle " +
-                       std::to_string(store_.ids()[static_cast<std::size_t>(i)]) + "; it must never be negative");
+      const std::string particle = " at particle " + std::to_string(store_.ids()[static_cast<std::size_t>(i)]);
+      fail(called, std::isnan(values[i])
+                       ? field.name + " is no number" + particle
+                       : field.name + " = " + std::to_string(values[i]) + particle + "; it must never be negative");
       return;
     }
   }
@@ -285,9 +290,10 @@ void Runner::run_global(const PassNode& called, const ListProvider& lists, const
   }
   riffle_error error{sizeof(riffle_error), {}};
   const riffle_block block = block_of(store_.dim(), store_.owned(), 0, time, dt, tables);
-  if (called.pass->run_global(graph_.plugins()[static_cast<std::size_t>(called.plugin)].self, &block, &pairs, &error) !=
-      RIFFLE_OK) {
-    fail(called, error.message);
+  const void* self = graph_.plugins()[static_cast<std::size_t>(called.plugin)].self;
+  const auto run_it = [&] { return may_throw(called.pass->run_global)(self, &block, &pairs, &error); };
+  if (call_plugin(error, run_it) != RIFFLE_OK) {
+    fail(called, message_of(error));
   }
 }
 

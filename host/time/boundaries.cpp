@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "host/plugins/call.hpp"
+
 namespace riffle {
 
 // What the editor's functions work on during one call of one plugin.
@@ -169,8 +171,8 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
       return context.count + static_cast<std::int64_t>(context.images->size()) - 1;
     };
     riffle_error error{sizeof(riffle_error), {}};
-    if (function(plugin.self, &editor, &error) != RIFFLE_OK)
-      throw RunError("boundary " + plugin.id + ": " + error.message);
+    if (call_plugin(error, [&] { return may_throw(function)(plugin.self, &editor, &error); }) != RIFFLE_OK)
+      throw RunError("boundary " + plugin.id + ": " + message_of(error));
     if (!context.mistake.empty()) throw RunError("boundary " + plugin.id + ": " + context.mistake);
     enter_changes(context);
     if (context.edited) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host/particles/placement.hpp"
+#include "host/plugins/contracts.hpp"
 
 namespace riffle {
 
@@ -15,12 +16,16 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
     : case_(scene), options_(options), store_(scene.dimension) {
   omp_set_num_threads(options.threads > 0 ? options.threads : omp_get_num_procs());
   std::vector<ActivePlugin> active;
-  std::vector<std::string> given;
+  std::vector<std::string> given, broken;
   for (const auto& [field, functions] : scene.initial) given.push_back(field);
   for (const auto& choice : scene.plugins) {
     const Plugin* plugin = registry.plugin(choice.kind, choice.id);
     if (plugin == nullptr) throw std::runtime_error("there is no " + choice.kind + " \"" + choice.id + "\"");
     instances_.push_back(std::make_unique<PluginInstance>(*plugin, scene.dimension, choice.values));
+    if (has_contract(choice.kind)) {
+      const auto problems = contract_problems(*instances_.back());
+      broken.insert(broken.end(), problems.begin(), problems.end());
+    }
     active.push_back({choice.slot, choice.id, choice.kind, &instances_.back()->table(), instances_.back()->self(),
                       choice.values, false});
     const auto* table = active.back().table;
@@ -31,6 +36,7 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
       }
     }
   }
+  if (!broken.empty()) throw ScheduleError(broken);
   graph_ = std::make_unique<Graph>(scene.dimension, active, given, scene.output.fields);
   place_particles();
   add_fields();
