@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::string> all_given(const WorldOptions& options) {
   std::vector<std::string> given = options.given;
-  given.emplace_back("smoothing_length");
+  if (!options.written_length) given.emplace_back("smoothing_length");
   return given;
 }
 

@@ -128,6 +128,7 @@ struct WorldOptions {
   std::vector<std::string> wanted{};
   double length = 1.6;  // smoothing lengths in spacings; they vary by +-25 % unless `uniform`
   bool uniform_length = false;
+  bool written_length = false;  // a pass writes smoothing lengths; those placed are only where it begins
   double skin = 0.1;
   RunnerOptions runner{};
   std::function<void(ParticleStore&, std::vector<Image>&)> images{};
