@@ -231,6 +231,12 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
   const double imbalance = record.mass.imbalance();
   record.verdicts.push_back({"mass", fmt::format("mass imbalance {:.2e} of what there was", imbalance),
                              std::abs(imbalance) <= 1e-10 ? Severity::note : Severity::suspect});
+  if (record.neighbours && record.neighbours->smallest == 0 && record.particles > 1) {
+    record.verdicts.push_back({"lost-neighbours",
+                               "some water particle has no neighbour within its support: the depth or density there is "
+                               "that of a lone particle, and no force reaches it",
+                               Severity::suspect});
+  }
   if (!report.failure.empty()) record.verdicts.push_back({"blew-up", report.failure, Severity::failed});
   record.status = status_from(record.verdicts);
   record.message = report.failure;
