@@ -119,10 +119,7 @@ const double* Runner::source(const Source& s) const {
 // only in part, nobody overwrites and the field is zeroed before the sweep that writes it first.
 std::set<std::pair<int, int>> Runner::who_overwrites(const Plan& plan, std::size_t index,
                                                      std::vector<int>& zero_fields) const {
-  struct Writer {
-    int node;
-    std::size_t sweep;
-  };
+  using Writer = std::pair<int, std::size_t>;  // node and sweep
   std::map<int, std::vector<Writer>> writers;
   for (std::size_t s = 0; s < plan.sweeps.size(); ++s) {
     for (const int n : in_order(plan.sweeps[s])) {
@@ -136,18 +133,18 @@ std::set<std::pair<int, int>> Runner::who_overwrites(const Plan& plan, std::size
     bool partial = false;
     for (const Writer& a : list) {
       for (const Writer& b : list) {
-        const auto common = node(a.node).targets & node(b.node).targets;
-        if (common != 0 && node(a.node).targets != node(b.node).targets) partial = true;
+        const auto common = node(a.first).targets & node(b.first).targets;
+        if (common != 0 && node(a.first).targets != node(b.first).targets) partial = true;
       }
     }
     if (partial) {
-      if (list.front().sweep == index) zero_fields.push_back(field);
+      if (list.front().second == index) zero_fields.push_back(field);
       continue;
     }
     for (auto a = list.begin(); a != list.end(); ++a) {
-      const bool first =
-          std::none_of(list.begin(), a, [&](const Writer& b) { return node(b.node).targets == node(a->node).targets; });
-      if (first) overwrites.insert({a->node, field});
+      const bool first = std::none_of(list.begin(), a,
+                                      [&](const Writer& b) { return node(b.first).targets == node(a->first).targets; });
+      if (first) overwrites.insert({a->first, field});
     }
   }
   return overwrites;

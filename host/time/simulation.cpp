@@ -12,9 +12,18 @@
 
 namespace riffle {
 
+namespace {
+
+// All cores, but none for less than about 0.2 ms of work per step: waiting for each other would cost more.
+int worthwhile_threads(int dim, std::int64_t particles) {
+  const std::int64_t enough = dim == 1 ? 8000 : dim == 2 ? 2000 : 500;
+  return static_cast<int>(std::clamp<std::int64_t>(particles / enough, 1, omp_get_num_procs()));
+}
+
+}  // namespace
+
 Simulation::Simulation(const Case& scene, const Registry& registry, const SimulationOptions& options)
     : case_(scene), options_(options), store_(scene.dimension) {
-  omp_set_num_threads(options.threads > 0 ? options.threads : omp_get_num_procs());
   std::vector<ActivePlugin> active;
   std::vector<std::string> given, broken;
   for (const auto& [field, functions] : scene.initial) given.push_back(field);
@@ -39,6 +48,7 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
   if (!broken.empty()) throw ScheduleError(broken);
   graph_ = std::make_unique<Graph>(scene.dimension, active, given, scene.output.fields);
   place_particles();
+  omp_set_num_threads(options.threads > 0 ? options.threads : worthwhile_threads(scene.dimension, store_.owned()));
   add_fields();
   riffle_kernel kernel{};
   if (graph_->kernel() >= 0) {

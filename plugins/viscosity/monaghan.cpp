@@ -42,11 +42,8 @@ struct Monaghan {
     static double limit(const Monaghan& m, const riffle::Block& b) {
       const double *l = b.in(0), *c = b.in(1);
       double least = riffle::infinity;
-      RIFFLE_EACH_LEAST(k, b, least) {
-        const double dt = l[k] / (m.alpha * c[k]);
-        least = dt < least ? dt : least;
-      }
-      return 0.5 * least;
+      RIFFLE_EACH_LEAST(k, b, least) least = l[k] < least * c[k] ? l[k] / c[k] : least;
+      return 0.5 * least / m.alpha;
     }
   };
   using votes = riffle::Votes<Viscous>;
