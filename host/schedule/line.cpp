@@ -12,7 +12,7 @@ namespace riffle {
 
 namespace {
 
-constexpr std::int64_t stretch = 128;                            // particles whose m-th neighbours are taken together
+constexpr std::int64_t stretch = 256;                            // particles whose m-th neighbours are taken together
 constexpr std::int64_t margin = longest_segment + stretch + 16;  // far dummies at both ends of every column
 constexpr int x_column = 0, u_column = 1, reach_column = 2, first_column = 3;
 constexpr double far = 1e15;
