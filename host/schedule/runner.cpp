@@ -236,19 +236,7 @@ void Runner::run_particles(const PassNode& called, const std::set<int>& zero, st
     fail(called, message_of(error));
     return;
   }
-  for (const auto& w : called.writes) {
-    const FieldDescription& field = graph_.fields()[static_cast<std::size_t>(w.field)].description;
-    if (!field.not_negative) continue;
-    const double* values = field_[static_cast<std::size_t>(w.field)]->component[0].data();
-    for (std::int64_t i = first; i < last; ++i) {
-      if (values[i] >= 0) continue;
-      const std::string particle = " at particle " + std::to_string(store_.ids()[static_cast<std::size_t>(i)]);
-      fail(called, std::isnan(values[i])
-                       ? field.name + " is no number" + particle
-                       : field.name + " = " + std::to_string(values[i]) + particle + "; it must never be negative");
-      return;
-    }
-  }
+  check_signs(called, first, last);
 }
 
 void Runner::run_global(const PassNode& called, const ListProvider& lists, const std::vector<Image>& images,
@@ -323,6 +311,7 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
   if (sweep.global >= 0) {
     for (const int f : compile(plan, index).zero_fields) clear(f, node(sweep.global).targets);
     run_global(node(sweep.global), lists, images, time, dt);
+    if (failure_.empty()) check_signs_of_all(node(sweep.global));
     if (!failure_.empty()) throw RunError(failure_);
     return;
   }
@@ -366,6 +355,11 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
           run_particles(node(stage.node), compiled.zero[s], chunks[c].first, chunks[c].last, time, dt);
         }
       }
+    }
+  }
+  for (const auto& group : sweep.groups) {
+    for (const int n : group.nodes) {
+      if (failure_.empty()) check_signs_of_all(node(n));
     }
   }
   if (!failure_.empty()) throw RunError(failure_);

@@ -58,6 +58,8 @@ class Runner {
   void prepare(Group& group, const ListProvider& lists, const std::vector<Image>& images, int threads);
   void run_group(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
   void clear(int field, std::uint32_t roles);
+  void check_signs(const PassNode& writer, std::int64_t first, std::int64_t last);
+  void check_signs_of_all(const PassNode& writer);
   void run_particles(const PassNode& node, const std::set<int>& zero, std::int64_t first, std::int64_t last,
                      double time, double dt);
   void run_global(const PassNode& node, const ListProvider& lists, const std::vector<Image>& images, double time,
