@@ -13,7 +13,8 @@ void add_run(CLI::App& app, int& code) {
   run->add_option("--out", request->out, "Folder for the results; default runs/<case>-<n>");
   run->add_flag("--overwrite", request->overwrite, "Replace the run that is in --out");
   run->add_option("--resume", request->resume, "Go on from the last checkpoint of this run folder");
-  run->add_option("--threads", request->threads, "Number of threads; default all cores, fewer for small cases. Results do not depend on it")
+  run->add_option("--threads", request->threads,
+                  "Number of threads; default all cores, fewer for small cases. Results do not depend on it")
       ->check(CLI::Range(1, 1024));
   run->add_option("--set", request->overrides, "Override a key: --set plugins.viscosity.alpha=1.0 (may be repeated)")
       ->take_all()

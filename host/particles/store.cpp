@@ -108,7 +108,8 @@ void ParticleStore::make_room() {
   }
 }
 
-void ParticleStore::rearrange(const std::vector<std::int64_t>& order, const std::array<std::int64_t, role_count>& per_role,
+void ParticleStore::rearrange(const std::vector<std::int64_t>& order,
+                              const std::array<std::int64_t, role_count>& per_role,
                               const std::vector<std::int64_t>& ids) {
   std::vector<double> kept(order.size());
   for (auto& [name, field] : fields_) {

@@ -93,7 +93,7 @@ int check_library(const std::filesystem::path& file, std::ostream& out, std::chr
     for (const Check& check : checks) {
       Findings findings = check_plugin(file, plugin, check, limit);
       for (std::string& line : findings.failures) {
-        if (line.starts_with("crashes")) line += check.on_crash;
+        if (line.starts_with("crashes") || line.starts_with("ends the whole")) line += check.on_crash;
       }
       good = report(out, check.name, findings) && good;
     }

@@ -18,8 +18,9 @@ std::vector<std::string> other_symbols(const fs::path& file) {
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   std::vector<std::string> names;
   for (const ExportedSymbol& symbol : exported_symbols(std::as_bytes(std::span(text.data(), text.size())))) {
-    // Version names and the marks of the linker are no symbols of the author's.
-    if (symbol.name != "riffle_plugin_entry" && symbol.size > 0) names.push_back(symbol.name);
+    // Marks of the linker and of sanitizers are no symbols of the author's.
+    const bool mark = symbol.size == 0 || symbol.name.starts_with("__");
+    if (symbol.name != "riffle_plugin_entry" && !mark) names.push_back(symbol.name);
   }
   return names;
 }

@@ -45,8 +45,8 @@ Toys with() {
 }
 
 TEST(Fusion, PairPassesOverOneListThatDoNotFeedEachOtherAreGatheredOnce) {
-  EXPECT_EQ(sweeps(with<Reduce<a, RIFFLE_AT_I, f::kernel>, Reduce<b, RIFFLE_AT_J, f::kernel>>(),
-                   {"smoothing_length"}, {"a", "b"}),
+  EXPECT_EQ(sweeps(with<Reduce<a, RIFFLE_AT_I, f::kernel>, Reduce<b, RIFFLE_AT_J, f::kernel>>(), {"smoothing_length"},
+                   {"a", "b"}),
             (Texts{"{a + b}"}));
 }
 
@@ -73,11 +73,10 @@ TEST(Fusion, WhatDoesNotWaitGoesIntoTheEarlierSweep) {
 }
 
 TEST(Fusion, ListsOfAnotherReachOrOtherRolesAreGroupsOfTheirOwn) {
-  EXPECT_EQ(
-      sweeps(with<Reduce<a, RIFFLE_AT_I, f::kernel>, Reduce<b, RIFFLE_AT_I, f::kernel, RIFFLE_SUM, RIFFLE_EITHER>,
-                  Reduce<c, RIFFLE_AT_I, f::kernel, RIFFLE_SUM, RIFFLE_GATHER, 0, RIFFLE_WALL>>(),
-             {"smoothing_length"}, {"a", "b", "c"}),
-      (Texts{"{a}, {b}, {c}"}));
+  EXPECT_EQ(sweeps(with<Reduce<a, RIFFLE_AT_I, f::kernel>, Reduce<b, RIFFLE_AT_I, f::kernel, RIFFLE_SUM, RIFFLE_EITHER>,
+                        Reduce<c, RIFFLE_AT_I, f::kernel, RIFFLE_SUM, RIFFLE_GATHER, 0, RIFFLE_WALL>>(),
+                   {"smoothing_length"}, {"a", "b", "c"}),
+            (Texts{"{a}, {b}, {c}"}));
 }
 
 struct Global {
@@ -142,8 +141,8 @@ TEST(Fusion, WithinASweepAPassSeesWhatWasJustWrittenForItsParticle) {
                 {.dim = dim, .per_role = {600, 0, 0, 0, 0, 0}, .wanted = {"c", "d"}, .skin = 0});
     world.compute({"c", "d"});
     const double* l = world.store.data("smoothing_length");
-    const auto sums = brute_force_sum(
-        world, gathered, [&](const FoundPair& pair) { return world.kernel_value(0, pair.r, l[pair.i]); });
+    const auto sums = brute_force_sum(world, gathered,
+                                      [&](const FoundPair& pair) { return world.kernel_value(0, pair.r, l[pair.i]); });
     const NeighbourRequest either{Reach::either, gathered.targets, gathered.sources};
     expect_same_sums(world.values("c"), brute_force_sum(world, gathered, [&](const FoundPair& pair) {
                        return 3 * sums[static_cast<std::size_t>(pair.i)];
@@ -157,8 +156,9 @@ TEST(Fusion, WithinASweepAPassSeesWhatWasJustWrittenForItsParticle) {
 // A length that follows from the particles: every list after it must be the new one.
 TEST(Fusion, ListsFollowASmoothingLengthThatAPassWrites) {
   for (const int dim : {1, 2, 3}) {
-    World world(Toys(dim).add<ToyKernel>().add<
-                    ToyOf<'t', Scale<f::smoothing_length, f::depth>, Reduce<a, RIFFLE_AT_I, f::kernel>>>(),
+    World world(Toys(dim)
+                    .add<ToyKernel>()
+                    .add<ToyOf<'t', Scale<f::smoothing_length, f::depth>, Reduce<a, RIFFLE_AT_I, f::kernel>>>(),
                 {.dim = dim, .given = {"depth"}, .wanted = {"a"}, .written_length = true});
     for (const double factor : {0.08, 0.16}) {
       for (std::int64_t i = 0; i < world.store.owned(); ++i) world.store.data("depth")[i] *= factor;

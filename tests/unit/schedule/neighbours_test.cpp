@@ -72,10 +72,10 @@ constexpr riffle_field with_self = scalar_field("with_self", "1", "sum, itself i
 constexpr riffle_field without = scalar_field("without_self", "1", "sum, itself excluded");
 constexpr riffle_field least_distance = scalar_field("least_distance", "m", "smallest r, itself included");
 // One group with and without: the pair of the particle with itself counts only where it was asked for.
-struct Selves : ToyOf<'s', Reduce<with_self, RIFFLE_AT_J, weight, RIFFLE_SUM, RIFFLE_GATHER, RIFFLE_WITH_SELF>,
-                      Reduce<without, RIFFLE_AT_J, weight>,
-                      Reduce<least_distance, RIFFLE_PAIR, fields::distance, RIFFLE_MIN, RIFFLE_GATHER,
-                             RIFFLE_WITH_SELF>> {
+struct Selves
+    : ToyOf<'s', Reduce<with_self, RIFFLE_AT_J, weight, RIFFLE_SUM, RIFFLE_GATHER, RIFFLE_WITH_SELF>,
+            Reduce<without, RIFFLE_AT_J, weight>,
+            Reduce<least_distance, RIFFLE_PAIR, fields::distance, RIFFLE_MIN, RIFFLE_GATHER, RIFFLE_WITH_SELF>> {
   using ToyOf::ToyOf;
 };
 
@@ -101,11 +101,10 @@ constexpr riffle_field own_sum = scalar_field("own_sum", "1", "sum of own values
 constexpr riffle_field approach_sum = scalar_field("approach_sum", "m2.s-1", "sum of u_ij . x_ij");
 constexpr riffle_field distance_sum = scalar_field("distance_sum", "m", "sum of r");
 constexpr riffle_field square_sum = scalar_field("square_sum", "m2", "sum of r^2");
-struct Readings
-    : ToyOf<'r', Reduce<difference_sum, RIFFLE_DIFFERENCE, weight>, Reduce<mean_sum, RIFFLE_MEAN, weight>,
-            Reduce<own_sum, RIFFLE_AT_I, weight>, Reduce<approach_sum, RIFFLE_PAIR, fields::approach>,
-            Reduce<distance_sum, RIFFLE_PAIR, fields::distance>,
-            Reduce<square_sum, RIFFLE_PAIR, fields::distance_squared>> {
+struct Readings : ToyOf<'r', Reduce<difference_sum, RIFFLE_DIFFERENCE, weight>, Reduce<mean_sum, RIFFLE_MEAN, weight>,
+                        Reduce<own_sum, RIFFLE_AT_I, weight>, Reduce<approach_sum, RIFFLE_PAIR, fields::approach>,
+                        Reduce<distance_sum, RIFFLE_PAIR, fields::distance>,
+                        Reduce<square_sum, RIFFLE_PAIR, fields::distance_squared>> {
   using ToyOf::ToyOf;
 };
 
@@ -141,8 +140,9 @@ TEST(Neighbours, APairPassWithoutAKernelIsAnErrorBecauseNobodySaysHowFarItSees) 
     FAIL() << "nobody complained";
   } catch (const ScheduleError& error) {
     ASSERT_FALSE(error.lines().empty());
-    EXPECT_EQ(error.lines()[0], "toy-e: least_weight looks at neighbours, but the case names no plugin of kind kernel, "
-                                "whose support says which");
+    EXPECT_EQ(error.lines()[0],
+              "toy-e: least_weight looks at neighbours, but the case names no plugin of kind kernel, "
+              "whose support says which");
   }
 }
 

@@ -110,9 +110,8 @@ TEST(InitialPasses, RunOnceAndMaySumOverNeighbours) {
   world.evaluator->run_initial_passes();
   const double* l = world.store.data("smoothing_length");
   const double* cell = world.store.data("cell_measure");
-  auto expected = brute_force_sum(
-      world, {Reach::scatter, RIFFLE_FLUID, gathered.sources},
-      [&](const FoundPair& p) { return cell[p.j] * world.kernel_value(0, p.r, l[p.j]); });
+  auto expected = brute_force_sum(world, {Reach::scatter, RIFFLE_FLUID, gathered.sources},
+                                  [&](const FoundPair& p) { return cell[p.j] * world.kernel_value(0, p.r, l[p.j]); });
   for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += cell[i] * world.kernel_value(0, 0, l[i]);
   expect_same_sums(world.values("kernel_weight"), expected);
   world.move(0.05, 3);

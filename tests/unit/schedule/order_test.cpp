@@ -68,8 +68,8 @@ TEST(Order, OneNameWithTwoUnitsOrShapesIsRefused) {
       Toys(2).add<ToyOf<'y', Scale<a, f::depth>>>().add<ToyOf<'z', Scale<b, a_in_metres>>>(), {"depth"}, {"b"});
   EXPECT_EQ(units, (std::vector<std::string>{"toy-z: its field \"a\" [m] differs in shape or unit from that of toy-y "
                                              "[1]; two plugins that share a field name must agree"}));
-  const std::vector<std::string> shapes = complaints(
-      Toys(2).add<ToyOf<'y', Scale<a, f::depth>>>().add<ToyOf<'z', Scale<b, a_vector>>>(), {"depth"}, {"b"});
+  const std::vector<std::string> shapes =
+      complaints(Toys(2).add<ToyOf<'y', Scale<a, f::depth>>>().add<ToyOf<'z', Scale<b, a_vector>>>(), {"depth"}, {"b"});
   ASSERT_EQ(shapes.size(), 1u);
 }
 
@@ -90,9 +90,10 @@ TEST(Order, AllContradictionsAreToldAtOnce) {
 using Deep = ToyOf<'d', Reduce<a, RIFFLE_AT_I, f::kernel>>;
 
 TEST(Order, TheKernelAndTheSmoothingLengthMustComeFromSomewhere) {
-  EXPECT_EQ(complaints(Toys(2).add<Deep>(), {"smoothing_length"}, {"a"}),
-            (std::vector<std::string>{"toy-d: a looks at neighbours, but the case names no plugin of kind kernel, whose "
-                                      "support says which"}));
+  EXPECT_EQ(
+      complaints(Toys(2).add<Deep>(), {"smoothing_length"}, {"a"}),
+      (std::vector<std::string>{"toy-d: a looks at neighbours, but the case names no plugin of kind kernel, whose "
+                                "support says which"}));
   EXPECT_EQ(complaints(Toys(2).add<ToyKernel>().add<Deep>(), {}, {"a"}),
             (std::vector<std::string>{"toy-d: a uses \"kernel\", which needs the field \"smoothing_length\"; no plugin "
                                       "writes it and [initial] does not give it"}));

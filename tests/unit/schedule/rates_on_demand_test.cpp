@@ -23,8 +23,8 @@ template <char Name, std::uint32_t Where>
 struct Push {  // acceleration += p F x_ij
   static constexpr char pass_name[] = {'p', 'u', 's', 'h', '-', Name, 0};
   static constexpr auto pass_type = RIFFLE_PASS_PAIR;
-  static constexpr riffle_read reads[] = {{sizeof(riffle_read), Where, 0, 0, &f::pressure},
-                                          at_i(f::kernel_gradient), pair(f::separation)};
+  static constexpr riffle_read reads[] = {
+      {sizeof(riffle_read), Where, 0, 0, &f::pressure}, at_i(f::kernel_gradient), pair(f::separation)};
   static constexpr riffle_write writes[] = {sum(f::acceleration)};
   template <class P>
   static void run(const P&, const Block& b) {
@@ -133,14 +133,13 @@ struct Both {
 using Sums = ToyOf<'s', Reduce<first_sum, RIFFLE_AT_I, f::kernel>, Both, Reduce<second_sum, RIFFLE_AT_I, f::kernel>>;
 
 TEST(RatesOnDemand, APassThatAddsToTwoSumsBeginsOnlyTheOneThatNobodyBeganBefore) {
-  World world(Toys(2).add<ToyKernel>().add<Sums>(),
-              {.given = {"density"}, .wanted = {"first_sum", "second_sum"}});
+  World world(Toys(2).add<ToyKernel>().add<Sums>(), {.given = {"density"}, .wanted = {"first_sum", "second_sum"}});
   for (int k = 0; k < 2; ++k) {
     world.changed("density");
     world.compute({"first_sum", "second_sum"});
     const double* l = world.store.data("smoothing_length");
-    auto expected = brute_force_sum(
-        world, gathered, [&](const FoundPair& pair) { return world.kernel_value(0, pair.r, l[pair.i]); });
+    auto expected = brute_force_sum(world, gathered,
+                                    [&](const FoundPair& pair) { return world.kernel_value(0, pair.r, l[pair.i]); });
     for (std::size_t i = 0; i < expected.size(); ++i)
       expected[i] += world.value("density", static_cast<std::int64_t>(i));
     expect_same_sums(world.values("first_sum"), expected);

@@ -41,22 +41,20 @@ TEST_P(Roles, WallsLearnFromWaterAlone) {
               mixed(GetParam(), {"learnt"}));
   world.compute({"learnt"});
   const double* w = world.store.data("weight");
-  expect_same_sums(world.values("learnt"),
-                   brute_force_sum(world, {Reach::gather, RIFFLE_WALL, RIFFLE_FLUID},
-                                   [&](const FoundPair& p) { return w[p.j]; }));
+  expect_same_sums(world.values("learnt"), brute_force_sum(world, {Reach::gather, RIFFLE_WALL, RIFFLE_FLUID},
+                                                           [&](const FoundPair& p) { return w[p.j]; }));
 }
 
 TEST_P(Roles, ProbesSeeWhatTheyAskForAndAreSeenOnlyByWhoAsksForProbes) {
-  using Probing = ToyOf<'p', Look<seen, RIFFLE_PROBE, RIFFLE_FLUID | RIFFLE_WALL>,
-                        Look<learnt, RIFFLE_FLUID, RIFFLE_PROBE>>;
+  using Probing =
+      ToyOf<'p', Look<seen, RIFFLE_PROBE, RIFFLE_FLUID | RIFFLE_WALL>, Look<learnt, RIFFLE_FLUID, RIFFLE_PROBE>>;
   World world(Toys(GetParam()).add<ToyKernel>().add<Probing>(), mixed(GetParam(), {"seen", "learnt"}));
   world.compute({"seen", "learnt"});
   const double* w = world.store.data("weight");
   const auto at_j = [&](const FoundPair& p) { return w[p.j]; };
   expect_same_sums(world.values("seen"),
                    brute_force_sum(world, {Reach::gather, RIFFLE_PROBE, RIFFLE_FLUID | RIFFLE_WALL}, at_j));
-  expect_same_sums(world.values("learnt"),
-                   brute_force_sum(world, {Reach::gather, RIFFLE_FLUID, RIFFLE_PROBE}, at_j));
+  expect_same_sums(world.values("learnt"), brute_force_sum(world, {Reach::gather, RIFFLE_FLUID, RIFFLE_PROBE}, at_j));
 }
 
 template <int Value, std::uint32_t Roles>
@@ -77,10 +75,10 @@ TEST_P(Roles, OneFieldMayHaveOneWriterPerRole) {
   world.compute({"marked"});
   for (std::int64_t i = 0; i < world.store.owned(); ++i) {
     const std::uint32_t role = world.role(i);
-    const double expected = role == RIFFLE_FLUID                                ? 1
+    const double expected = role == RIFFLE_FLUID                          ? 1
                             : (role & (RIFFLE_WALL | RIFFLE_PISTON)) != 0 ? 2
-                            : role == RIFFLE_PROBE                              ? 3
-                                                                                : 0;
+                            : role == RIFFLE_PROBE                        ? 3
+                                                                          : 0;
     ASSERT_EQ(world.value("marked", i), expected) << role_name(world.store.role_of(i));
   }
 }

@@ -73,10 +73,9 @@ World::World(Toys made, WorldOptions wanted)
       graph(options.dim, toys.active, all_given(options), options.wanted),
       store(options.dim),
       kernel_(kernel_of(graph)),
-      neighbourhood(store, kernel_.support, options.skin,
-                    [this](std::vector<Image>& images) {
-                      if (options.images) options.images(store, images);
-                    }) {
+      neighbourhood(store, kernel_.support, options.skin, [this](std::vector<Image>& images) {
+        if (options.images) options.images(store, images);
+      }) {
   for (const auto& field : graph.fields()) {
     if (field.pair_source != PairSource::none) continue;
     store.add_field(field.description, field.attribute ? FieldUse::attribute : FieldUse::derived);
@@ -142,8 +141,7 @@ double World::kernel_value(int bit, double r, double l) const {
 }
 
 std::uint32_t World::role(std::int64_t index) const {
-  while (index >= store.owned())
-    index = neighbourhood.images()[static_cast<std::size_t>(index - store.owned())].origin;
+  while (index >= store.owned()) index = neighbourhood.images()[static_cast<std::size_t>(index - store.owned())].origin;
   return 1u << store.role_of(index);
 }
 
