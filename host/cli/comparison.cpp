@@ -15,10 +15,10 @@ struct Comparison::Values {
   std::vector<std::uint8_t> defined;
 };
 
-Comparison::Comparison(const Case& scene, const Registry& registry) : case_(scene) {
+Comparison::Comparison(const Case& scene, const Registry& registry, const riffle_services& services) : case_(scene) {
   const PluginChoice& choice = scene.reference->plugin;
-  reference_ =
-      std::make_unique<PluginInstance>(*registry.plugin("reference", choice.id), scene.dimension, choice.values);
+  reference_ = std::make_unique<PluginInstance>(*registry.plugin("reference", choice.id), scene.dimension,
+                                                choice.values, &services);
   const auto broken = contract_problems(*reference_);
   if (!broken.empty()) throw PluginError(broken.front());
 }

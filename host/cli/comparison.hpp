@@ -23,7 +23,7 @@ struct ExactField {
 class Comparison {
  public:
   // Throws PluginError when the reference refuses its parameters.
-  Comparison(const Case& scene, const Registry& registry);
+  Comparison(const Case& scene, const Registry& registry, const riffle_services& services);
 
   // At the particles of the water, at the simulation's time.
   [[nodiscard]] std::vector<ExactField> at_particles(const Simulation& simulation) const;

@@ -71,7 +71,7 @@ class Driver {
     simulation_ = &simulation;
     wall_start_ = wall_now();
     cpu_start_ = cpu_now();
-    if (case_.reference) comparison_ = std::make_unique<Comparison>(case_, registry_);
+    if (case_.reference) comparison_ = std::make_unique<Comparison>(case_, registry_, simulation.services());
     SnapshotWriter snapshots(folder_.path(), simulation.shown_fields());
     if (!resumed.is_null()) {
       snapshots.resume(resumed.at("snapshots").get<std::int64_t>());
@@ -254,7 +254,7 @@ int run_case(const RunRequest& request) {
     std::unique_ptr<Simulation> simulation;
     try {
       simulation = std::make_unique<Simulation>(*scene, registry, options);
-      if (scene->reference) Comparison(*scene, registry);
+      if (scene->reference) Comparison(*scene, registry, simulation->services());
     } catch (const ScheduleError& error) {
       for (const auto& line : error.lines()) std::fprintf(stderr, "%s: %s\n", now.manifest.c_str(), line.c_str());
       return exit_bad_input;

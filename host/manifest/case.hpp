@@ -77,6 +77,7 @@ struct Case {
   // Field -> one function per component. Holds what the manifest gives; other fields of the equation set start from 0
   // unless a plugin writes them.
   std::map<std::string, std::vector<Function>> initial;
+  Function level;  // of the water at t = 0, instead of initial["depth"], which then follows from the bed
   std::vector<PluginChoice> plugins;  // in the order of the manifest, reference excluded
   std::optional<ReferenceControl> reference;
   TimeControl time;

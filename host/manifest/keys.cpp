@@ -72,6 +72,13 @@ std::vector<std::string> kinds_of_slots() {
   return kinds;
 }
 
+ManifestKey water_level() {
+  ManifestKey made = key("initial", "level", ParameterType::function,
+                         "level of the water at t = 0, instead of depth, which is then what lies above the bed");
+  made.value.unit = "m";
+  return made;
+}
+
 std::vector<ManifestKey> make_keys() {
   const ParameterType text = ParameterType::text;
   ManifestKey name = required(key("case", "name", text, "short name; the folder of the run is called after it"));
@@ -96,6 +103,7 @@ std::vector<ManifestKey> make_keys() {
       with_default(above_min(real("fluid", "density", "kg.m-3", 0, none, "density of the water")), 1000),
       with_default(real("fluid", "viscosity", "m2.s-1", 0, none, "kinematic viscosity of the water"), 1e-6),
 
+      optional(water_level()),
       optional(key("initial", "inside", ParameterType::function, "particles are placed only where it is above 0")),
       optional(
           above_min(real("initial.particles", "spacing", "m", 0, none, "distance between particles; this or count"))),

@@ -79,9 +79,15 @@ void read_field(Reading& reading, const TomlEntry& entry, const FieldDescription
   effective_at(reading, key) = effective;
 }
 
+bool has_depth(const PluginDescription& equations) {
+  return std::any_of(equations.initial.begin(), equations.initial.end(),
+                     [](const FieldDescription& field) { return field.name == "depth"; });
+}
+
 std::vector<std::string> initial_keys(const PluginDescription& equations) {
   std::vector<std::string> known;
   for (const FieldDescription& field : equations.initial) known.push_back(field.name);
+  if (has_depth(equations)) known.emplace_back("level");
   known.insert(known.end(), {"particles", "inside"});
   return known;
 }
@@ -90,10 +96,26 @@ void check_needed(Reading& reading, const TomlNode& initial, const PluginDescrip
   const std::vector<std::string> known = initial_keys(equations);
   for (const FieldDescription& field : equations.initial) {
     if (initial.find(field.name) != nullptr || !(field.needed || field.name == "depth")) continue;
+    if (field.name == "depth" && initial.find("level") != nullptr) continue;
     if (misspelt(initial, field.name, known)) continue;
     reading.mistakes.add(initial.place, fmt::format("initial.{} is missing; equations \"{}\" needs it [{}]", field.name,
                                                     equations.id, field.unit));
   }
+}
+
+// initial.level stands for initial.depth; the bed that lies between them is a plugin's business.
+void read_level(Reading& reading, const TomlNode& initial) {
+  const TomlEntry* const level = initial.find("level");
+  if (level == nullptr) return;
+  if (initial.find("depth") != nullptr) {
+    reading.mistakes.add(level->place, "initial must have either depth or level, got both");
+    return;
+  }
+  const auto function = read_function(reading, level->value, "initial.level", "m");
+  if (!function) return;
+  check_axes(reading, *function, level->value.place, "initial.level");
+  reading.result.level = function->function;
+  effective_at(reading, "initial.level") = function->effective;
 }
 
 }  // namespace
@@ -155,6 +177,10 @@ void read_initial_fields(Reading& reading) {
   const PluginDescription* const equations = equation_set(reading);
   for (const TomlEntry& entry : initial.entries) {
     if (entry.key == "particles" || entry.key == "inside") continue;
+    if (entry.key == "level" && (equations == nullptr || has_depth(*equations))) {
+      read_level(reading, initial);
+      continue;
+    }
     if (const auto field = field_named(reading, entry.key)) {
       read_field(reading, entry, *field);
     } else if (equations != nullptr) {

@@ -58,6 +58,31 @@ void check_number_of(Reading& reading, const std::string& kind, const std::vecto
   }
 }
 
+void at_most_one(Reading& reading, const std::string& kind, const std::vector<const TomlEntry*>& slots) {
+  for (std::size_t k = 1; k < slots.size(); ++k) {
+    reading.mistakes.add(slots[k]->place,
+                         fmt::format("there must be at most one {} plugin, [plugins.{}] is one too many "
+                                     "beside [plugins.{}]",
+                                     kind, slots[k]->key, slots[0]->key));
+  }
+}
+
+// What the equation set says it cannot be run with.
+void check_refusals(Reading& reading) {
+  const PluginDescription* const equations = equation_set(reading);
+  if (equations == nullptr) return;
+  for (const PluginChoice& plugin : reading.result.plugins) {
+    for (const Refusal& refusal : equations->refuses) {
+      if (refusal.kind != plugin.kind || (refusal.id.empty() ? plugin.id == "none" : refusal.id != plugin.id)) continue;
+      const TomlEntry* const slot = reading.root.find("plugins")->value.find(plugin.slot);
+      const TomlEntry* const id = slot->value.find("id");
+      reading.mistakes.add(id != nullptr ? id->value.place : slot->place,
+                           fmt::format("{} \"{}\" cannot be used with equations \"{}\": {}", plugin.kind, plugin.id,
+                                       equations->id, refusal.reason));
+    }
+  }
+}
+
 // The integrator must be one that the equation set can bear; unless it is given, one that can is taken.
 void choose_integrator(Reading& reading) {
   const PluginDescription* const equations = equation_set(reading);
@@ -116,6 +141,8 @@ void read_plugins(Reading& reading) {
       if (!kind_unclear || slots_of_kind[kind].size() > 1) check_number_of(reading, kind, slots_of_kind[kind]);
     }
   }
+  for (const char* kind : {"bed", "width"}) at_most_one(reading, kind, slots_of_kind[kind]);
+  check_refusals(reading);
   choose_integrator(reading);
 }
 

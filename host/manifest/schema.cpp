@@ -240,10 +240,15 @@ class SchemaWriter {
       for (const FieldDescription& field : plugin->initial) {
         fields[field.name] = {{"anyOf", {reference_to(field.shape == Shape::scalar ? "function" : "components")}},
                               {"description", fmt::format("{} [{}]", field.meaning, field.unit)}};
-        if (field.needed || field.name == "depth") needed.push_back(field.name);
+        if (field.name == "depth") {
+          fields["level"] = key_schema(manifest_key("initial.level"));
+        } else if (field.needed) {
+          needed.push_back(field.name);
+        }
       }
       json initial = {{"properties", fields}, {"additionalProperties", false}};
       if (!needed.empty()) initial["required"] = needed;
+      if (fields.contains("level")) initial["oneOf"] = {{{"required", {"depth"}}}, {{"required", {"level"}}}};
       const json chosen = {{"properties", {{"id", {{"const", plugin->id}}}}}, {"required", {"id"}}};
       const json slot = {{"properties", {{"equations", chosen}}}, {"required", {"equations"}}};
       cases.push_back({{"if", {{"properties", {{"plugins", slot}}}, {"required", {"plugins"}}}},

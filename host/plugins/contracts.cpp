@@ -186,13 +186,40 @@ std::vector<std::string> reference_problems(const PluginInstance& instance) {
   return problems;
 }
 
+// Finite where one looks, a width above 0: around the origin, and within what a scene with the defaults would be.
+std::vector<std::string> profile_problems(const PluginInstance& instance) {
+  std::vector<double> x(items), y(items, 0.0), value(items), slope_x(items), slope_y(items);
+  for (std::int64_t k = 0; k < items; ++k) {
+    const double s = 2.0 * static_cast<double>(k) / (items - 1) - 1;
+    x[static_cast<std::size_t>(k)] = 20 * s * std::abs(s);
+  }
+  riffle_error error = no_error();
+  const auto status = call_plugin(error, [&] {
+    return may_throw(instance.table().evaluate_profile)(instance.self(), items, x.data(), y.data(), value.data(),
+                                                        slope_x.data(), slope_y.data(), &error);
+  });
+  if (status != RIFFLE_OK) return {fmt::format("{}: fails: {}", instance.name(), message_of(error))};
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (!std::isfinite(value[k]) || !std::isfinite(slope_x[k])) {
+      return {fmt::format("{}: must be finite with its slope, gives {} with slope {} at x = {:.4g} m", instance.name(),
+                          value[k], slope_x[k], x[k])};
+    }
+    if (instance.kind() == "width" && !(value[k] > 0)) {
+      return {fmt::format("{}: must be above 0, gives {} m at x = {:.4g} m", instance.name(), value[k], x[k])};
+    }
+  }
+  return {};
+}
+
 bool has_contract(const std::string& kind) {
-  return kind == "kernel" || kind == "viscosity" || kind == "drag" || kind == "turbulence" || kind == "reference";
+  return kind == "bed" || kind == "width" || kind == "kernel" || kind == "viscosity" || kind == "drag" ||
+         kind == "turbulence" || kind == "reference";
 }
 
 std::vector<std::string> contract_problems(const PluginInstance& instance) {
   if (instance.kind() == "kernel") return kernel_problems(instance);
   if (instance.kind() == "reference") return reference_problems(instance);
+  if (instance.kind() == "bed" || instance.kind() == "width") return profile_problems(instance);
   return pass_problems(instance);
 }
 

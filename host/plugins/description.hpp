@@ -41,6 +41,11 @@ constexpr int components(Shape shape, int dim) {
   return 1;
 }
 
+// What an equation set cannot be run with: every plugin of that kind but "none" when `id` is empty.
+struct Refusal {
+  std::string kind, id, reason;
+};
+
 struct PluginDescription {
   std::string id, kind, version, summary, source, leaves_out;
   std::vector<int> dimensions;
@@ -49,12 +54,13 @@ struct PluginDescription {
   std::vector<FieldDescription> gives;    // references
   std::string library_path, library_hash, build;
   std::vector<std::string> integrators;  // that it can be run with; empty: any
+  std::vector<Refusal> refuses;          // equations
 };
 
 // The kinds that exist, in the order in which they are listed.
 inline const std::vector<std::string>& plugin_kinds() {
-  static const std::vector<std::string> kinds{"equations",  "kernel",   "viscosity", "drag",
-                                              "turbulence", "boundary", "filter",    "reference"};
+  static const std::vector<std::string> kinds{"equations", "kernel", "viscosity", "drag",  "turbulence",
+                                              "boundary",  "filter", "bed",       "width", "reference"};
   return kinds;
 }
 

@@ -61,6 +61,16 @@ void check_functions(const riffle_plugin& plugin, Problems& problems) {
       !has_passes) {
     problems.add("a boundary needs one of the functions begin, edit, images, or a pass");
   }
+  if ((kind == "bed" || kind == "width") && plugin.evaluate_profile == nullptr) {
+    problems.add(fmt::format("a {} needs the function evaluate_profile", kind));
+  }
+  for (const riffle_refusal* refusal : Table(plugin.refuses)) {
+    const auto& kinds = plugin_kinds();
+    if (std::find(kinds.begin(), kinds.end(), text_or_empty(refusal->kind)) == kinds.end()) {
+      problems.add(fmt::format("refuses the kind \"{}\", which does not exist", text_or_empty(refusal->kind)));
+    }
+    if (text_or_empty(refusal->reason).empty()) problems.add("refuses a plugin without a reason");
+  }
   if (kind == "equations" && Table(plugin.evolved).size() == 0) problems.add("equations need an evolved field");
   if (plugin.state_size < 0) problems.add(fmt::format("asks for {} numbers of state", plugin.state_size));
 }

@@ -40,6 +40,7 @@ class Copier {
     to->initial = table(to->initial, "riffle_field", [](auto*) {});
     to->conserved = field(to->conserved);
     to->gives = table(to->gives, "riffle_field", [](auto*) {});
+    to->refuses = table(to->refuses, "riffle_refusal", [](auto*) {});
     return to;
   }
 

@@ -57,7 +57,28 @@ const std::map<std::string, double>& usual_quantities() {
 
 }  // namespace
 
-PluginInstance::PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values)
+const riffle_services& flat_scene() {
+  static const riffle_services scene = [] {
+    riffle_services s{};
+    s.size = sizeof s;
+    std::fill_n(s.high, 3, 1.0);
+    s.bed = [](const void*, std::int64_t n, const double*, const double*, double* level, double* slope_x,
+               double* slope_y) noexcept {
+      for (double* out : {level, slope_x, slope_y}) {
+        if (out != nullptr) std::fill_n(out, n, 0.0);
+      }
+    };
+    s.width = [](const void*, std::int64_t n, const double*, double* width, double* slope) noexcept {
+      std::fill_n(width, n, 1.0);
+      if (slope != nullptr) std::fill_n(slope, n, 0.0);
+    };
+    return s;
+  }();
+  return scene;
+}
+
+PluginInstance::PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values,
+                               const riffle_services* scene)
     : owner_(plugin.owner),
       table_(plugin.table),
       dim_(dim),
@@ -97,6 +118,14 @@ PluginInstance::PluginInstance(const Plugin& plugin, int dim, const std::vector<
   if (changed) {
     throw PluginError(fmt::format("{} changes the floating-point arithmetic of the whole program in create", name()));
   }
+  if (scene != nullptr) connect(*scene);
+}
+
+void PluginInstance::connect(const riffle_services& scene) {
+  if (table_->connect == nullptr) return;
+  riffle_error error = no_error();
+  const auto status = call_plugin(error, [&] { return may_throw(table_->connect)(self_.get(), &scene, &error); });
+  if (status != RIFFLE_OK) throw PluginError(fmt::format("{}: {}", name(), message_of(error)));
 }
 
 void DestroyPlugin::operator()(void* self) const {

@@ -20,6 +20,9 @@ class PluginError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A scene of one metre in each direction, without bed and width: for plugins that are tried on their own.
+const riffle_services& flat_scene();
+
 // Calls a plugin's `destroy`.
 struct DestroyPlugin {
   void (*destroy)(void*) = nullptr;
@@ -33,7 +36,12 @@ class PluginInstance {
   // `values`: one per described parameter, in that order, in SI (PluginChoice.values). They are not checked again: the
   // checker also creates plugins out of their range. Throws PluginError when the plugin does not support `dim`, fails to
   // create, throws, or (then the arithmetic is put right first) changes the floating-point environment.
-  PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values);
+  // `scene`: what it is connected to at once; nullptr when the scene does not exist yet: then connect() follows.
+  PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values,
+                 const riffle_services* scene = &flat_scene());
+
+  // Shows the plugin the scene that it is part of. Throws PluginError when the plugin refuses it.
+  void connect(const riffle_services& scene);
 
   [[nodiscard]] const riffle_plugin& table() const { return *table_; }
   [[nodiscard]] const void* self() const { return self_.get(); }

@@ -121,6 +121,7 @@ PluginDescription describe_plugin(const riffle_plugin& plugin) {
   for (const riffle_field* field : Table(plugin.initial)) d.initial.push_back(describe_field(*field));
   for (const riffle_field* field : Table(plugin.gives)) d.gives.push_back(describe_field(*field));
   if (plugin.requires_integrator != nullptr) d.integrators = split_words(plugin.requires_integrator);
+  for (const riffle_refusal* r : Table(plugin.refuses)) d.refuses.push_back({r->kind, text_or_empty(r->id), r->reason});
   return d;
 }
 

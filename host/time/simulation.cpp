@@ -24,29 +24,7 @@ int worthwhile_threads(int dim, std::int64_t particles) {
 
 Simulation::Simulation(const Case& scene, const Registry& registry, const SimulationOptions& options)
     : case_(scene), options_(options), store_(scene.dimension) {
-  std::vector<ActivePlugin> active;
-  std::vector<std::string> given, broken;
-  for (const auto& [field, functions] : scene.initial) given.push_back(field);
-  for (const auto& choice : scene.plugins) {
-    const Plugin* plugin = registry.plugin(choice.kind, choice.id);
-    if (plugin == nullptr) throw std::runtime_error("there is no " + choice.kind + " \"" + choice.id + "\"");
-    instances_.push_back(std::make_unique<PluginInstance>(*plugin, scene.dimension, choice.values));
-    if (has_contract(choice.kind)) {
-      const auto problems = contract_problems(*instances_.back());
-      broken.insert(broken.end(), problems.begin(), problems.end());
-    }
-    active.push_back({choice.slot, choice.id, choice.kind, &instances_.back()->table(), instances_.back()->self(),
-                      choice.values, false});
-    const auto* table = active.back().table;
-    for (auto e = table->evolved; e != nullptr && *e != nullptr;
-         ++e) {  // evolved initial fields start from 0 unless given
-      for (auto f = table->initial; f != nullptr && *f != nullptr; ++f) {
-        if (std::string((*f)->name) == (*e)->field->name) given.emplace_back((*f)->name);
-      }
-    }
-  }
-  if (!broken.empty()) throw ScheduleError(broken);
-  graph_ = std::make_unique<Graph>(scene.dimension, active, given, scene.output.fields);
+  create_plugins(registry);
   place_particles();
   omp_set_num_threads(options.threads > 0 ? options.threads : worthwhile_threads(scene.dimension, store_.owned()));
   add_fields();
@@ -58,11 +36,49 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
   boundaries_ = std::make_unique<Boundaries>(*graph_, store_);
   neighbourhood_ = std::make_unique<Neighbourhood>(store_, kernel.support, options.skin,
                                                    [this](std::vector<Image>& images) { boundaries_->images(images); });
-  integrator_ = make_integrator(scene.time.integrator, *graph_, store_, scene.time.drag_implicit);
+  integrator_ = make_integrator(case_.time.integrator, *graph_, store_, case_.time.drag_implicit);
   evaluator_ = std::make_unique<Evaluator>(*graph_, store_, *neighbourhood_, options.runner);
   boundaries_->connect(*evaluator_, *neighbourhood_);
   evaluator_->run_initial_passes();
   boundaries_->begin(0);
+}
+
+const PluginInstance* Simulation::instance_of(const std::string& kind) const {
+  const auto found =
+      std::find_if(instances_.begin(), instances_.end(), [&](const auto& i) { return i->kind() == kind; });
+  return found == instances_.end() ? nullptr : found->get();
+}
+
+void Simulation::create_plugins(const Registry& registry) {
+  for (const auto& choice : case_.plugins) {
+    const Plugin* plugin = registry.plugin(choice.kind, choice.id);
+    if (plugin == nullptr) throw std::runtime_error("there is no " + choice.kind + " \"" + choice.id + "\"");
+    instances_.push_back(std::make_unique<PluginInstance>(*plugin, case_.dimension, choice.values, nullptr));
+  }
+  terrain_ = std::make_unique<Terrain>(case_, instance_of("bed"), instance_of("width"));
+  terrain_fields_ = std::make_unique<TerrainFields>(*terrain_, case_, instance_of("kernel"));
+  if (case_.level.valid()) case_.initial["depth"] = {depth_below(case_.level, *terrain_)};
+  std::vector<ActivePlugin> active;
+  std::vector<std::string> given, broken;
+  for (const auto& [field, functions] : case_.initial) given.push_back(field);
+  for (std::size_t p = 0; p < instances_.size(); ++p) {
+    const PluginChoice& choice = case_.plugins[p];
+    PluginInstance& instance = *instances_[p];
+    instance.connect(terrain_->services());
+    if (has_contract(choice.kind)) {
+      const auto problems = contract_problems(instance);
+      broken.insert(broken.end(), problems.begin(), problems.end());
+    }
+    active.push_back({choice.slot, choice.id, choice.kind, &instance.table(), instance.self(), choice.values, false});
+    for (auto e = instance.table().evolved; e != nullptr && *e != nullptr; ++e) {
+      for (auto f = instance.table().initial; f != nullptr && *f != nullptr; ++f) {  // from 0 unless given
+        if (std::string((*f)->name) == (*e)->field->name) given.emplace_back((*f)->name);
+      }
+    }
+  }
+  if (!broken.empty()) throw ScheduleError(broken);
+  active.push_back(terrain_fields_->as_plugin());
+  graph_ = std::make_unique<Graph>(case_.dimension, active, given, case_.output.fields);
 }
 
 void Simulation::place_particles() {
@@ -78,6 +94,8 @@ void Simulation::place_particles() {
               store_.data("position", c));
   }
   std::copy(placed.cell_measure.begin(), placed.cell_measure.end(), store_.data("cell_measure"));
+  const auto [smallest, largest] = std::minmax_element(placed.cell_measure.begin(), placed.cell_measure.end());
+  if (n > 0) terrain_fields_->prepare(*smallest, *largest);
 }
 
 void Simulation::add_fields() {

@@ -11,6 +11,7 @@
 #include "host/plugins/instance.hpp"
 #include "host/plugins/registry.hpp"
 #include "host/schedule/evaluator.hpp"
+#include "host/terrain/terrain_fields.hpp"
 #include "host/time/boundaries.hpp"
 #include "host/time/integrator.hpp"
 
@@ -50,6 +51,7 @@ class Simulation {
   [[nodiscard]] Evaluator& evaluator() { return *evaluator_; }
   [[nodiscard]] const Neighbourhood& neighbourhood() const { return *neighbourhood_; }
   [[nodiscard]] Boundaries& boundaries() { return *boundaries_; }
+  [[nodiscard]] const riffle_services& services() const { return terrain_->services(); }
   [[nodiscard]] std::size_t bytes() const { return store_.bytes() + neighbourhood_->bytes(); }
   [[nodiscard]] std::int64_t particle_steps() const { return particle_steps_; }
   // Sum of conserved amount times velocity over the water, per axis.
@@ -64,14 +66,18 @@ class Simulation {
   void restore(const SimulationState& state);
 
  private:
+  [[nodiscard]] const PluginInstance* instance_of(const std::string& kind) const;
+  void create_plugins(const Registry& registry);
   void place_particles();
   void add_fields();
   [[nodiscard]] std::vector<std::string> saved_fields() const;
 
-  const Case& case_;
+  Case case_;
   SimulationOptions options_;
   ParticleStore store_;
   std::vector<std::unique_ptr<PluginInstance>> instances_;
+  std::unique_ptr<Terrain> terrain_;
+  std::unique_ptr<TerrainFields> terrain_fields_;
   std::unique_ptr<Graph> graph_;
   std::unique_ptr<Neighbourhood> neighbourhood_;
   std::unique_ptr<Evaluator> evaluator_;

@@ -1,7 +1,9 @@
 // Shallow-water equations in the standard SPH form of Diwakar & Mohapatra (2023), eqs 4, 5, 8 and 12.
 //
 //   h_i  = sum_j V_j W(x_ij, l_i)                                                        (5)
-//   a_i  = -sum_j V_j (g + Pi_ij / h_ij) grad W(x_ij, l_i) - g grad b                    (4, 8)
+//   a_i  = -sum_j V_j (g + Pi_ij / h_ij) grad W(x_ij, l_i) - g grad b_i                  (4, 8)
+//   grad b_i: of the bed averaged with the kernel (smoothed), at the particle (pointwise),
+//             or sum_j b_j V_j / h_j grad W (particle-sum)                               (9, 10)
 //   l_i  = l0 (constant) | l0 h0 / h_i (inverse-depth) | l0 h_i / h0 (depth: eq. 12 as printed)
 //
 // Put right against the print: Pi has the unit m2/s2 and must be divided by the pair-mean depth h_ij; eq. 12 is
@@ -29,11 +31,13 @@ struct SweStandard {
       riffle::choice(
           "support", "constant|inverse-depth|depth", "constant",
           "law of the smoothing length: constant for shocks, inverse-depth for dry beds, depth is the paper's eq. 12"),
+      riffle::choice("bed", "smoothed|pointwise|particle-sum", "smoothed",
+                     "slope of the bed: as the summation depth sees it; at the particle; or the paper's eqs 9 and 10"),
       riffle::real("largest_support", "1", 1000, 1, 1e6, "bound on smoothing length over its initial value"),
       riffle::real("support_tolerance", "1", 1e-3, 1e-14, 1,
                    "relative change of the support at which the iteration stops"),
       riffle::integer("support_iterations", 1, 1, 100, "largest number of iterations of support and depth per step")};
-  static constexpr riffle_field initial[] = {f::depth, f::velocity, f::bed_slope};
+  static constexpr riffle_field initial[] = {f::depth, f::velocity};
   static constexpr const riffle_field* conserved = &f::volume;
   static constexpr riffle_evolved evolved[] = {riffle::evolved_field(f::velocity, f::acceleration, &f::drag_rate),
                                                riffle::evolved_field(f::position, f::velocity)};
@@ -135,20 +139,48 @@ struct SweStandard {
     }
   };
 
-  struct BedSlope {
-    static constexpr auto pass_name = "bed slope";
+  // Balanced only when the depth sees the same bed: a slope taken at the particle sets a lake over a step in motion.
+  static void slide(const SweStandard& s, const riffle::Block& b) {
+    for (int c = 0; c < b.dim(); ++c) {
+      const double* slope = b.in(0, c);
+      double* a = b.out(0, c);
+      RIFFLE_EACH(k, b) a[k] -= s.gravity * slope[k];
+    }
+  }
+  struct SmoothedSlope {
+    static constexpr auto pass_name = "smoothed bed slope";
     static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED;
+    static constexpr auto when = "bed=smoothed";
+    static constexpr riffle_read reads[] = {riffle::at_i(f::smoothed_bed_slope)};
+    static constexpr riffle_write writes[] = {riffle::sum(f::acceleration)};
+    static void run(const SweStandard& s, const riffle::Block& b) { slide(s, b); }
+  };
+  struct PointwiseSlope {
+    static constexpr auto pass_name = "bed slope at the particle";
+    static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED;
+    static constexpr auto when = "bed=pointwise";
     static constexpr riffle_read reads[] = {riffle::at_i(f::bed_slope)};
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration)};
+    static void run(const SweStandard& s, const riffle::Block& b) { slide(s, b); }
+  };
+  struct SummedSlope {  // eqs 9 and 10: V_j / h_j is the length that particle j takes of the bed
+    static constexpr auto pass_name = "bed slope as a sum over particles";
+    static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED;
+    static constexpr auto when = "bed=particle-sum";
+    static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::at_j(f::depth), riffle::at_j(f::bed_level),
+                                            riffle::at_i(f::kernel_gradient), riffle::pair(f::separation)};
+    static constexpr riffle_write writes[] = {riffle::sum(f::acceleration)};
     static void run(const SweStandard& s, const riffle::Block& b) {
+      const double *volume = b.in(0), *depth = b.in(1), *bed = b.in(2), *gradient = b.in(3), g = s.gravity;
       for (int c = 0; c < b.dim(); ++c) {
-        const double* slope = b.in(0, c);
+        const double* dx = b.in(4, c);
         double* a = b.out(0, c);
-        RIFFLE_EACH(k, b) a[k] -= s.gravity * slope[k];
+        RIFFLE_EACH(k, b) a[k] = -g * bed[k] * volume[k] / depth[k] * gradient[k] * dx[k];
       }
     }
   };
-  using passes = riffle::Passes<Start, Depth, Support, WaveSpeed, Momentum, BedSlope>;
+  using passes = riffle::Passes<Start, Depth, Support, WaveSpeed, Momentum, SmoothedSlope, PointwiseSlope, SummedSlope>;
 
   struct Acoustic {  // eq. 16
     static constexpr auto name = "acoustic";

@@ -47,8 +47,8 @@ TEST_P(EveryPlugin, SaysWhatItIsWhereItComesFromAndWhatItLeavesOut) {
   EXPECT_EQ(std::string(plugin.summary).find('\n'), std::string::npos);
   EXPECT_TRUE(is_text(plugin.source));
   EXPECT_NE(plugin.leaves_out, nullptr);
-  const std::set<std::string> kinds{"equations",  "kernel",   "viscosity", "drag",
-                                    "turbulence", "boundary", "filter",    "reference"};
+  const std::set<std::string> kinds{"equations", "kernel", "viscosity", "drag",  "turbulence",
+                                    "boundary",  "filter", "bed",       "width", "reference"};
   EXPECT_EQ(kinds.count(plugin.kind), 1u) << plugin.kind;
   EXPECT_NE(plugin.dims & 0xEu, 0u);
 }
@@ -111,6 +111,7 @@ TEST_P(EveryPlugin, HasTheFunctionsOfItsKind) {
   EXPECT_EQ(plugin.kernel != nullptr, kind == "kernel");
   EXPECT_EQ(plugin.evaluate_kernel != nullptr, kind == "kernel");
   EXPECT_EQ(plugin.evaluate_reference != nullptr, kind == "reference");
+  EXPECT_EQ(plugin.evaluate_profile != nullptr, kind == "bed" || kind == "width");
   EXPECT_EQ(entries(plugin.gives).empty(), kind != "reference");
   EXPECT_EQ(entries(plugin.evolved).empty(), kind != "equations");
 }

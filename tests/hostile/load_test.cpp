@@ -45,13 +45,13 @@ TEST(Load, AGoodLibraryInPlainCIsLoadedAndDescribed) {
 TEST(Load, AnotherMajorVersionIsRefusedWithBothNumbers) {
   EXPECT_EQ(
       refusal(library("wrong-major")),
-      "wrong-major.so: speaks version 1.0 of the plugin boundary, this program 0.1; another major version is another "
+      "wrong-major.so: speaks version 1.0 of the plugin boundary, this program 0.2; another major version is another "
       "language: rebuild it with this program's SDK");
 }
 
 TEST(Load, ANewerMinorVersionIsRefusedWithBothNumbers) {
   EXPECT_EQ(refusal(library("newer-minor")),
-            "newer-minor.so: needs version 0.7 of the plugin boundary, this program speaks 0.1; use a newer Riffle, or "
+            "newer-minor.so: needs version 0.8 of the plugin boundary, this program speaks 0.2; use a newer Riffle, or "
             "rebuild it with this program's SDK");
 }
 
@@ -71,7 +71,7 @@ TEST(Load, ABuildWithOtherNumbersIsRefused) {
 
 TEST(Load, StructsOfAnotherSizeAreRefused) {
   EXPECT_EQ(refusal(library("wrong-size")),
-            "wrong-size.so: a riffle_pass has size 88, but it has 96 in version 0.1 of the boundary");
+            "wrong-size.so: a riffle_pass has size 88, but it has 96 in version 0.2 of the boundary");
 }
 
 TEST(Load, ALibraryWithoutTheSymbolIsNeverLoaded) {

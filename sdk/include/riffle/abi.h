@@ -17,7 +17,7 @@
 #include <stdint.h>
 
 #define RIFFLE_ABI_MAJOR 0u
-#define RIFFLE_ABI_MINOR 1u
+#define RIFFLE_ABI_MINOR 2u
 
 #if defined(_WIN32)
 #define RIFFLE_EXPORT __declspec(dllexport)
@@ -283,6 +283,29 @@ typedef struct riffle_editor {
   int64_t (*image)(void *context, int64_t origin, uint32_t how, int32_t axis, const double *a) RIFFLE_NOEXCEPT;
 } riffle_editor;
 
+/* What a scene offers to every plugin (riffle_plugin.connect); owned by the host, outlives every instance. [main] [block] */
+typedef struct riffle_services {
+  uint32_t size;
+  int32_t dim;
+  uint32_t has_bed, has_width; /* 1 when the scene names a plugin of that kind */
+  double low[3], high[3];      /* of the domain, by axis: x | x z | x y z */
+  const void *context;
+  /* level[k] = b(x[k], y[k]) [m] and its gradient [1]; a flat bed at 0 when there is none. y, slope_x and slope_y may be
+     NULL (y: 0) */
+  void (*bed)(const void *context, int64_t n, const double *x, const double *y, double *level, double *slope_x,
+              double *slope_y) RIFFLE_NOEXCEPT;
+  /* width[k] = B(x[k]) [m] and dB/dx [1], which may be NULL; 1 m when there is none */
+  void (*width)(const void *context, int64_t n, const double *x, double *width, double *slope) RIFFLE_NOEXCEPT;
+} riffle_services;
+
+/* A plugin that an equation set cannot be run with. */
+typedef struct riffle_refusal {
+  uint32_t size, reserved;
+  const char *kind;
+  const char *id;     /* NULL: every one of that kind but "none" */
+  const char *reason; /* why, and what to do; ends the sentence "... cannot be used with ...: " */
+} riffle_refusal;
+
 /* ---- Plugin, library --------------------------------------------------------------------------------------------- */
 
 typedef struct riffle_plugin {
@@ -323,6 +346,14 @@ typedef struct riffle_plugin {
   const riffle_field *const *gives;
   int32_t (*evaluate_reference)(const void *self, const riffle_points *points, double *const *values,
                                 double *const *scales, uint8_t *defined, riffle_error *error) RIFFLE_NOEXCEPT;
+
+  const riffle_refusal *const *refuses; /* equations: what they cannot be run with */
+  /* Any kind: called once, when all plugins of the scene exist, before t = 0. [main] */
+  int32_t (*connect)(void *self, const riffle_services *services, riffle_error *error) RIFFLE_NOEXCEPT;
+  /* bed: value = level [m]; width: value = width [m]; slopes are their derivatives (at a jump: of the flat parts).
+     y, slope_x, slope_y may be NULL. [main] [block] */
+  int32_t (*evaluate_profile)(const void *self, int64_t n, const double *x, const double *y, double *value,
+                              double *slope_x, double *slope_y, riffle_error *error) RIFFLE_NOEXCEPT;
 } riffle_plugin;
 
 typedef struct riffle_library {

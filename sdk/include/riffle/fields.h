@@ -26,7 +26,11 @@
   X(wave_speed, RIFFLE_SCALAR, 0, "m.s-1", "speed of small waves: sqrt(g h), or the speed of sound")                   \
   X(bed_level, RIFFLE_SCALAR, 0, "m", "level of the bed, positive upwards")                                            \
   X(bed_slope, RIFFLE_VECTOR, 0, "1", "gradient of bed_level, positive where the bed rises along the axis")            \
+  X(smoothed_bed_level, RIFFLE_SCALAR, 0, "m", "bed averaged with the particle's kernel, as a summation depth sees it") \
+  X(smoothed_bed_slope, RIFFLE_VECTOR, 0, "1", "gradient of smoothed_bed_level")                                       \
+  X(water_level, RIFFLE_SCALAR, 0, "m", "level of the free surface: bed_level + depth")                                \
   X(channel_width, RIFFLE_SCALAR, 0, "m", "width B of the channel")                                                    \
+  X(width_slope, RIFFLE_SCALAR, 0, "1", "dB/dx: positive where the channel widens along x")                            \
   X(porosity, RIFFLE_SCALAR, RIFFLE_NOT_NEGATIVE, "1", "share of the space open to water, 0 < phi <= 1")               \
   X(velocity_gradient, RIFFLE_TENSOR, 0, "s-1", "du_a/dx_b, row a, column b")                                          \
   X(strain_rate, RIFFLE_SCALAR, RIFFLE_NOT_NEGATIVE, "s-1", "|S| = sqrt(2 S:S)")                                       \

@@ -80,10 +80,10 @@ INSTANTIATE_TEST_SUITE_P(
     All, ProgramRefuses,
     testing::Values(
         Refused{"wrong-major",
-                "wrong-major.so: speaks version 1.0 of the plugin boundary, this program 0.1; another major "
+                "wrong-major.so: speaks version 1.0 of the plugin boundary, this program 0.2; another major "
                 "version is another language: rebuild it with this program's SDK\n"},
         Refused{"newer-minor",
-                "newer-minor.so: needs version 0.7 of the plugin boundary, this program speaks 0.1; use a "
+                "newer-minor.so: needs version 0.8 of the plugin boundary, this program speaks 0.2; use a "
                 "newer Riffle, or rebuild it with this program's SDK\n"},
         Refused{"missing-symbol",
                 "missing-symbol.so: is a shared library, but no plugin of Riffle: it does not export "

@@ -53,6 +53,9 @@ class FakeCatalogue : public PluginCatalogue {
     auto& compressible = add("equations", "compressible", {2, 3});
     compressible.initial = {field("density", "kg.m-3", Shape::scalar), field("velocity", "m.s-1", Shape::vector)};
     compressible.initial.front().needed = true;
+    compressible.refuses = {{"turbulence", "", "its stresses are its own; use none"},
+                            {"viscosity", "riemann", "it has no faces to solve for"},
+                            {"drag", "manning", "there is no depth to rub on"}};
     compressible.integrators = {"predictor-corrector", "semi-implicit-euler"};
     ParameterDescription celerity = parameter("sound_speed", ParameterType::real, "m.s-1", 0, 0, none);
     celerity.required = celerity.above_min = true;
@@ -87,6 +90,9 @@ class FakeCatalogue : public PluginCatalogue {
     stoker.gives = {field("depth", "m", Shape::scalar), field("velocity", "m.s-1", Shape::vector)};
     stoker.parameters = {parameter("h_left", ParameterType::real, "m", 1, 0, none),
                          parameter("h_right", ParameterType::real, "m", 0.5, 0, none)};
+    add("bed", "flat", {1, 2, 3});
+    add("turbulence", "none", {1, 2, 3});
+    add("turbulence", "mixing-length", {1, 2, 3});
     auto& ritter = add("reference", "ritter", {1});
     ritter.gives = {field("depth", "m", Shape::scalar)};
     ritter.parameters = {parameter("h_left", ParameterType::real, "m", 1, 0, none)};

@@ -211,15 +211,17 @@ TEST_F(ManifestMistakes, PluginsMustExistAndBeOfTheirKind) {
 TEST_F(ManifestMistakes, KindsMustExistAndAgreeWithTheNameOfTheTable) {
   EXPECT_EQ(when("[plugins.viscosity]", "[plugins.friction]"),
             (Lines{"case.toml:18:10: plugins.friction.kind is missing, as \"friction\" is no kind itself; it must be "
-                   "\"equations\", \"kernel\", \"viscosity\", \"drag\", \"turbulence\", \"boundary\" or \"filter\""}));
+                   "\"equations\", \"kernel\", \"viscosity\", \"drag\", \"turbulence\", \"boundary\", \"filter\", "
+                   "\"bed\" or \"width\""}));
+  EXPECT_EQ(when("[plugins.viscosity]", "[plugins.viscocity]"),
+            (Lines{"case.toml:18:10: plugins.viscocity.kind is missing, as \"viscocity\" is no kind itself; it must be "
+                   "\"equations\", \"kernel\", \"viscosity\", \"drag\", \"turbulence\", \"boundary\", \"filter\", "
+                   "\"bed\" or \"width\"; did you "
+                   "mean [plugins.viscosity]?"}));
   EXPECT_EQ(
-      when("[plugins.viscosity]", "[plugins.viscocity]"),
-      (Lines{"case.toml:18:10: plugins.viscocity.kind is missing, as \"viscocity\" is no kind itself; it must be "
-             "\"equations\", \"kernel\", \"viscosity\", \"drag\", \"turbulence\", \"boundary\" or \"filter\"; did you "
-             "mean [plugins.viscosity]?"}));
-  EXPECT_EQ(when("[plugins.viscosity]", "[plugins.friction]\nkind = \"draag\""),
-            (Lines{"case.toml:19:8: plugins.friction.kind must be \"equations\", \"kernel\", \"viscosity\", \"drag\", "
-                   "\"turbulence\", \"boundary\" or \"filter\", got \"draag\"; did you mean \"drag\"?"}));
+      when("[plugins.viscosity]", "[plugins.friction]\nkind = \"draag\""),
+      (Lines{"case.toml:19:8: plugins.friction.kind must be \"equations\", \"kernel\", \"viscosity\", \"drag\", "
+             "\"turbulence\", \"boundary\", \"filter\", \"bed\" or \"width\", got \"draag\"; did you mean \"drag\"?"}));
   EXPECT_EQ(when("[plugins.viscosity]", "[plugins.viscosity]\nkind = \"drag\""),
             (Lines{"case.toml:19:8: plugins.viscosity.kind must be \"viscosity\", as the name of the table says, got "
                    "\"drag\""}));
@@ -295,7 +297,7 @@ TEST_F(ManifestMistakes, InitialFieldsMustBeThoseOfTheEquationSet) {
       (Lines{"case.toml:10:1: equations \"shallow-water\" has no initial field \"dept\"; did you mean \"depth\"?"}));
   EXPECT_EQ(when("depth =", "salinity = 3\ndepth ="),
             (Lines{"case.toml:10:1: equations \"shallow-water\" has no initial field \"salinity\"; it knows \"depth\", "
-                   "\"velocity\", \"bed_level\", \"porosity\", \"particles\" and \"inside\""}));
+                   "\"velocity\", \"bed_level\", \"porosity\", \"level\", \"particles\" and \"inside\""}));
   EXPECT_EQ(when("depth = { x = [100], values = [10, 5] }", ""),
             (Lines{"case.toml:8:1: initial.depth is missing; equations \"shallow-water\" needs it [m]"}));
   EXPECT_EQ(when("depth =", "porosity = -0.5\ndepth ="),

@@ -111,6 +111,9 @@ RIFFLE_DETAIL_HAS(exact)
 RIFFLE_DETAIL_HAS(begin)
 RIFFLE_DETAIL_HAS(edit)
 RIFFLE_DETAIL_HAS(images)
+RIFFLE_DETAIL_HAS(refuses)
+RIFFLE_DETAIL_HAS(connect)
+RIFFLE_DETAIL_HAS(profile)
 #undef RIFFLE_DETAIL_HAS
 
 template <class P, class = void>
@@ -258,6 +261,7 @@ struct Plugin {
   RIFFLE_DETAIL_TABLE(evolved, riffle_evolved)
   RIFFLE_DETAIL_TABLE(initial, riffle_field)
   RIFFLE_DETAIL_TABLE(gives, riffle_field)
+  RIFFLE_DETAIL_TABLE(refuses, riffle_refusal)
 
   static void* create(std::int32_t dim, const riffle_value* const* values, riffle_error* error) noexcept {
     void* self = nullptr;
@@ -301,6 +305,18 @@ struct Plugin {
     });
   }
 
+  static std::int32_t connect(void* self, const riffle_services* services, riffle_error* error) noexcept {
+    return guarded(error, [&] {
+      if constexpr (has_connect<P>::value) static_cast<P*>(self)->connect(*services);
+    });
+  }
+  static std::int32_t evaluate_profile(const void* self, std::int64_t n, const double* x, const double* y,
+                                       double* value, double* slope_x, double* slope_y, riffle_error* error) noexcept {
+    return guarded(error, [&] {
+      if constexpr (has_profile<P>::value) static_cast<const P*>(self)->profile(n, x, y, value, slope_x, slope_y);
+    });
+  }
+
   static constexpr riffle_plugin value{sizeof(riffle_plugin),
                                        get_dims<P>::value,
                                        P::id,
@@ -327,7 +343,10 @@ struct Plugin {
                                        has_edit<P>::value ? &edit : nullptr,
                                        has_images<P>::value ? &images : nullptr,
                                        gives.data(),
-                                       has_exact<P>::value ? &evaluate_reference : nullptr};
+                                       has_exact<P>::value ? &evaluate_reference : nullptr,
+                                       refuses.data(),
+                                       has_connect<P>::value ? &connect : nullptr,
+                                       has_profile<P>::value ? &evaluate_profile : nullptr};
 };
 #undef RIFFLE_DETAIL_TABLE
 
