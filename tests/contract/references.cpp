@@ -2,32 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
-#include <utility>
 
+#include "tests/contract/csv.hpp"
 #include "tests/contract/reference_case.hpp"
 
 namespace riffle::contract {
 namespace {
 
 constexpr double g = 9.81;
-
-// Rows of a CSV table whose lines may begin with '#' and whose first other line names the columns.
-std::vector<std::vector<std::string>> rows(const std::string& file) {
-  std::ifstream in(std::string(RIFFLE_TEST_DATA) + "/" + file);
-  std::vector<std::vector<std::string>> table;
-  bool names = true;
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    if (!std::exchange(names, false)) {
-      table.emplace_back();
-      std::istringstream cells(line);
-      for (std::string cell; std::getline(cells, cell, ',');) table.back().push_back(cell);
-    }
-  }
-  return table;
-}
 
 TEST(Ritter, IsTheSolutionTabulatedForThreeDepthsAndFourTimes) {
   const auto table = rows("larocque_setup_ritter_standin.csv");
