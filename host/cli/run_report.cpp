@@ -37,6 +37,26 @@ std::vector<double> values_of(const Simulation& simulation, const std::string& f
   return {v, v + water(simulation)};
 }
 
+// The depths of a panel as levels above the ground, which is drawn under them.
+void put_on_ground(Panel& panel, const Simulation& simulation) {
+  const riffle_services& scene = simulation.services();
+  const auto level_of = [&](const std::vector<double>& x) {
+    std::vector<double> level(x.size());
+    scene.bed(scene.context, static_cast<std::int64_t>(x.size()), x.data(), nullptr, level.data(), nullptr, nullptr);
+    return level;
+  };
+  for (Series& series : panel.series) {
+    const std::vector<double> bed = level_of(series.x);
+    for (std::size_t k = 0; k < bed.size(); ++k) series.y[k] += bed[k];
+  }
+  Series ground{"bed", SeriesStyle::ground, {}, {}};
+  constexpr int points = 4000;
+  for (int k = 0; k <= points; ++k) ground.x.push_back(scene.low[0] + (scene.high[0] - scene.low[0]) * k / points);
+  ground.y = level_of(ground.x);
+  panel.series.insert(panel.series.begin(), std::move(ground));
+  panel.y_label = "level [m]";
+}
+
 NeighbourStatistics neighbour_statistics(const Simulation& simulation) {
   NeighbourStatistics statistics;
   for (const auto& node : simulation.graph().nodes()) {
@@ -119,6 +139,7 @@ std::filesystem::path draw_run(const std::filesystem::path& folder, Simulation& 
               {"exact (" + scene.reference->plugin.id + ")", SeriesStyle::exact, fine, line->second});
         panel.series.push_back(
             {"computed", SeriesStyle::computed, values_of(simulation, "position", 0), values_of(simulation, name, c)});
+        if (column == "depth" && simulation.services().has_bed != 0) put_on_ground(panel, simulation);
         picture.panels.push_back(std::move(panel));
       }
     }

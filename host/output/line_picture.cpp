@@ -58,6 +58,7 @@ std::string look_of(SeriesStyle style, double scale) {
     case SeriesStyle::exact: return "with lines lw 1.8 lc rgb '#0072b2'";
     case SeriesStyle::initial: return "with lines lw 1.5 dt (7,5) lc rgb '#8c8c8c'";
     case SeriesStyle::measured: return "with points pt 6 ps dot(7) lw 1.5 lc rgb '#1a1a1a'";
+    case SeriesStyle::ground: return "with filledcurves x1 fs solid 1.0 border lc rgb '#a89a86' fc rgb '#d9d0c3'";
   }
   return "with lines";
 }

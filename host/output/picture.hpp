@@ -9,8 +9,8 @@
 namespace riffle {
 
 // How a series looks: computed as small dots over the exact line; the initial state dashed and grey; measured as open
-// circles. Drawn in the order given.
-enum class SeriesStyle { computed, exact, initial, measured };
+// circles; ground filled from its line down to the axis. Drawn in the order given, so the ground comes first.
+enum class SeriesStyle { computed, exact, initial, measured, ground };
 
 struct Series {
   std::string name;  // in the legend

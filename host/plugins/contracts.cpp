@@ -211,9 +211,8 @@ std::vector<std::string> profile_problems(const PluginInstance& instance) {
   return {};
 }
 
-bool has_contract(const std::string& kind) {
-  return kind == "bed" || kind == "width" || kind == "kernel" || kind == "viscosity" || kind == "drag" ||
-         kind == "turbulence" || kind == "reference";
+bool has_contract(const std::string& kind) {  // beds and widths are looked at where the scene needs them: Terrain
+  return kind == "kernel" || kind == "viscosity" || kind == "drag" || kind == "turbulence" || kind == "reference";
 }
 
 std::vector<std::string> contract_problems(const PluginInstance& instance) {

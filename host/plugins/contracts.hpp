@@ -19,7 +19,7 @@
 namespace riffle {
 
 // The kinds of the first five lines, whose contract is demanded before each run; what equations, boundaries and filters
-// make of made-up numbers is only looked at by `riffle check`.
+// make of made-up numbers is only looked at by `riffle check`. Beds and widths are looked at where the scene needs them.
 bool has_contract(const std::string& kind);
 
 // Sentences about what this instance breaks, each beginning with its kind and id; empty when all is well.

@@ -21,8 +21,8 @@ struct HydraulicJump {
   static constexpr std::uint32_t dims = 1u << 1;
   static constexpr riffle_parameter parameters[] = {
       riffle::required_real("discharge", "m2.s-1", 0, 1e6, "q per unit width, along +x", RIFFLE_ABOVE_MIN),
-      riffle::required_real("depth_upstream", "m", 0, 1e4, "h1, below the critical depth", RIFFLE_ABOVE_MIN),
       riffle::required_real("jump_position", "m", -1e6, 1e6, "x of the jump"),
+      riffle::required_real("depth_upstream", "m", 0, 1e4, "h1, below the critical depth", RIFFLE_ABOVE_MIN),
       riffle::real("gravity", "m.s-2", 9.81, 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN, "fluid.gravity")};
   static constexpr const riffle_field* gives[] = {&f::depth, &f::velocity};
 

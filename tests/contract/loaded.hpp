@@ -48,6 +48,7 @@ class Instance {
   Instance& operator=(const Instance&) = delete;
   [[nodiscard]] const riffle_plugin& table() const { return plugin_; }
   [[nodiscard]] const void* self() const { return self_; }
+  [[nodiscard]] void* self() { return self_; }
 
  private:
   const riffle_plugin& plugin_;

@@ -1,4 +1,4 @@
-// The slope of a profile b(x) that is known by its values only, for plugins of kind bed and width.
+// Profiles b(x) for plugins of kind bed and width: of a slope that is known, and of one that follows from the values.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +27,20 @@ void slope_by_differences(std::int64_t n, const double* x, double* slope, Evalua
     const double right = (value[2 * size + k] - value[size + k]) / (at[2 * size + k] - at[size + k]);
     const bool smooth = std::abs(left - right) <= 1e-3 * (std::abs(left) + std::abs(right)) + 1e-4;
     slope[k] = smooth ? 0.5 * (left + right) : std::abs(left) < std::abs(right) ? left : right;
+  }
+}
+
+// A profile that varies along x only and knows its slope: f(x) gives {value, slope}. Slopes may be null.
+struct ProfilePoint {
+  double value, slope;
+};
+template <class F>
+void profile_along_x(std::int64_t n, const double* x, double* value, double* slope_x, double* slope_y, F f) {
+  for (std::int64_t k = 0; k < n; ++k) {
+    const ProfilePoint point = f(x[k]);
+    value[k] = point.value;
+    if (slope_x != nullptr) slope_x[k] = point.slope;
+    if (slope_y != nullptr) slope_y[k] = 0;
   }
 }
 
