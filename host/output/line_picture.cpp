@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "host/output/canvas.hpp"
 #include "host/output/gnuplot.hpp"
@@ -63,9 +64,19 @@ std::string look_of(SeriesStyle style, double scale) {
   return "with lines";
 }
 
+bool in_legend(const Series& series) {
+  return series.style != SeriesStyle::ground;  // nobody takes it for anything else
+}
+
 bool same_legend(const Panel& a, const Panel& b) {
-  return std::equal(a.series.begin(), a.series.end(), b.series.begin(), b.series.end(),
-                    [](const Series& s, const Series& t) { return s.name == t.name && s.style == t.style; });
+  const auto names = [](const Panel& panel) {
+    std::vector<std::pair<std::string, SeriesStyle>> list;
+    for (const Series& s : panel.series) {
+      if (in_legend(s)) list.emplace_back(s.name, s.style);
+    }
+    return list;
+  };
+  return names(a) == names(b);
 }
 
 // Data and plot command of one panel
@@ -82,7 +93,8 @@ Drawing drawing_of(const Panel& panel, const Range& xs, const Range& ys, bool le
     const char* separator = drawing.plot.empty() ? "plot" : ",";
     drawing.plot += fmt::format("{} \\\n  'picture.dat' index {} using 1:2 {} notitle", separator, block++,
                                 look_of(s.style, points.count < 150 ? 1.5 : 1));
-    if (legend) keys += fmt::format(", \\\n  keyentry {} title {}", look_of(s.style, 2), gnuplot_text(s.name));
+    if (legend && in_legend(s))
+      keys += fmt::format(", \\\n  keyentry {} title {}", look_of(s.style, 2), gnuplot_text(s.name));
   }
   drawing.plot += keys + "\n";
   return drawing;

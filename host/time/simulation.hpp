@@ -69,6 +69,8 @@ class Simulation {
   [[nodiscard]] const PluginInstance* instance_of(const std::string& kind) const;
   void create_plugins(const Registry& registry);
   void place_particles();
+  void require_that_terrain_is_used() const;
+  void require_enough_particles(std::int64_t n) const;
   void add_fields();
   [[nodiscard]] std::vector<std::string> saved_fields() const;
 

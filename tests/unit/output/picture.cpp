@@ -60,6 +60,21 @@ TEST_F(Picture, OfLinesIsDrawnAsSvgAndPng) {
   }
 }
 
+TEST_F(Picture, OfWaterOverGroundFillsTheGroundAndHasOneLegend) {
+  LinePicture picture = dam_break(50);
+  picture.panels[1].series = picture.panels[0].series;
+  ASSERT_TRUE(draw(folder_.path(), picture).drawn);
+  const std::string without = read_file(folder_.path() / "picture.svg");
+  picture.panels[0].series.insert(picture.panels[0].series.begin(),
+                                  {"bed", SeriesStyle::ground, {0, 50, 100, 200}, {0, 1, 0, 0}});
+  expect_drawn(draw(folder_.path(), picture));
+  const std::string with = read_file(folder_.path() / "picture.svg");
+  EXPECT_TRUE(contains(read_file(folder_.path() / "picture.gp"), "filledcurves"));
+  EXPECT_FALSE(contains(with, "<text>bed"));
+  const auto height = [](const std::string& svg) { return svg.substr(svg.find("height="), 20); };
+  EXPECT_EQ(height(with), height(without)) << "no second legend";
+}
+
 TEST_F(Picture, OfManyParticlesStaysSmallAndKeepsWhatStandsOut) {
   LinePicture picture = dam_break(20000);
   picture.panels[0].series[2].y[12345] = 9.25;  // one particle far off
