@@ -58,13 +58,13 @@ struct LineGroup::Thread {
   std::vector<Moving> moving;
 };
 
-bool LineGroup::possible(const GroupLayout& layout, const NeighbourRequest& request) {
-  return layout.dim == 1 && layout.keeps.empty() && (request.targets & request.sources & RIFFLE_FLUID) != 0;
+bool LineGroup::possible(const GroupLayout& layout) {
+  return layout.dim == 1 && layout.keeps.empty();
 }
 
 LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request,
                      const std::set<int>& written_before)
-    : graph_(graph), layout_(layout), reach_(request.reach) {
+    : graph_(graph), layout_(layout), reach_(request.reach), source_roles_(request.sources) {
   places_.resize(static_cast<std::size_t>(layout.arrays));
   for (std::size_t k = 0; k < layout.slots.size(); ++k) {
     places_[static_cast<std::size_t>(layout.first_slot) + k] = {column_of(layout.slots[k]), true};
@@ -122,12 +122,13 @@ std::unique_ptr<LineGroup::Thread> LineGroup::make_thread() const {
 
 void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& images, double kappa, int threads,
                         const std::function<const double*(const Source&)>& source) {
-  const std::int64_t n = store.owned();
+  const std::int64_t n = store.role_begin(1), owned = store.owned();
   const double* x = store.data("position");
-  std::vector<std::int64_t> left, right;  // images beyond the ends, in ascending x
-  for (std::size_t k = 0; k < images.size(); ++k) {
-    const auto i = n + static_cast<std::int64_t>(k);
-    (x[i] < x[0] ? left : right).push_back(i);
+  std::vector<std::int64_t> left, right;  // sources beyond the ends of the water, in ascending x
+  for (std::int64_t i = n; i < store.all(); ++i) {
+    std::int64_t origin = i;
+    while (origin >= owned) origin = images[static_cast<std::size_t>(origin - owned)].origin;
+    if ((source_roles_ & 1u << store.role_of(origin)) != 0) (x[i] < x[0] ? left : right).push_back(i);
   }
   for (auto* side : {&left, &right}) {
     std::sort(side->begin(), side->end(),

@@ -2,7 +2,8 @@
 // again a stretch, so a closure is called once per stretch and m, and reads neighbours' fields where they lie.
 //
 // Sums run over m = 1, 2, ... to the left, then to the right, and only pairs within reach count: the result does not
-// depend on the stretch. Two to three times faster than lists, which padding makes expensive for 6 to 8 neighbours.
+// depend on the stretch. Particles of other roles and images count too, as long as they lie beyond the ends of the
+// water, as those of inflow, outflow and walls do. Two to three times faster than lists, which padding makes expensive for 6 to 8 neighbours.
 #pragma once
 
 #include <functional>
@@ -25,13 +26,13 @@ class LineGroup {
   ~LineGroup();
 
   // What a group must not have to be run on a line: pair fields that are kept for the whole list.
-  [[nodiscard]] static bool possible(const GroupLayout& layout, const NeighbourRequest& request);
+  [[nodiscard]] static bool possible(const GroupLayout& layout);
 
   // Copies the columns that the group reads into the order of the line. `source`: the particle array of a Source.
   void prepare(const ParticleStore& store, const std::vector<Image>& images, double kappa, int threads,
                const std::function<const double*(const Source&)>& source);
 
-  // All passes of the group for the owned particles [first, last). `field`: where a reduction goes. Returns the first
+  // All passes of the group for the water particles [first, last). `field`: where a reduction goes. Returns the first
   // failure, if any.
   GroupFailure run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
                    const std::function<double*(const Reduction&)>& field);
@@ -51,10 +52,11 @@ class LineGroup {
   const Graph& graph_;
   const GroupLayout& layout_;
   Reach reach_;
+  std::uint32_t source_roles_;
   std::vector<Source> sources_;  // of columns behind position, velocity and reach
   std::vector<Place> places_;    // per array
   std::vector<AlignedArray> columns_;
-  std::int64_t start_ = 0;  // column index of the first owned particle
+  std::int64_t start_ = 0;  // column index of the first water particle
   struct Late {
     int column = 0;
     const double* from = nullptr;

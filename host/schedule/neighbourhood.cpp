@@ -130,14 +130,26 @@ void Neighbourhood::build() {
     entry->check.remember(view(), kappa_, skin_, entry->request);
     entry->current = true;
   }
-  const double* x = store_.data("position");
-  const auto n = store_.owned();
-  on_a_line_ = store_.dim() == 1 && n > 0 && store_.role_begin(1) == n &&
-               std::none_of(images_.begin(), images_.end(), [&, k = n](const Image&) mutable {
-                 const double at = x[k++];
-                 return at >= x[0] && at <= x[n - 1];
-               });
+  find_roles_between();
   valid_ = true;
+}
+
+void Neighbourhood::find_roles_between() {
+  present_ = between_ = 0;
+  if (store_.dim() != 1) return;
+  const double* x = store_.data("position");
+  const std::int64_t water = store_.role_begin(1);
+  if (water > 0) present_ = RIFFLE_FLUID;
+  for (std::int64_t i = water; i < store_.all(); ++i) {
+    const std::uint32_t role = 1u << (role_.empty() ? 0u : role_[static_cast<std::size_t>(i)]);
+    present_ |= role;
+    if (water > 0 && x[i] >= x[0] && x[i] <= x[water - 1]) between_ |= role;
+  }
+}
+
+bool Neighbourhood::on_a_line(const NeighbourRequest& request) const {
+  return store_.role_begin(1) > 0 && (request.targets & present_) == RIFFLE_FLUID &&
+         (request.sources & RIFFLE_FLUID) != 0 && (request.sources & between_) == 0;
 }
 
 NeighbourhoodState Neighbourhood::state() const {

@@ -39,7 +39,7 @@ class Neighbourhood : public ListProvider {
 
   [[nodiscard]] const NeighbourList& list(const NeighbourRequest& request) const override;
   [[nodiscard]] double kappa() const override { return kappa_; }
-  [[nodiscard]] bool on_a_line() const override { return on_a_line_; }
+  [[nodiscard]] bool on_a_line(const NeighbourRequest& request) const override;
   [[nodiscard]] const std::vector<Image>& images() const { return images_; }
   void reach(std::vector<double>& out) const;  // how far each owned particle must see, skin included
   [[nodiscard]] std::int64_t builds() const { return state_.builds; }
@@ -52,6 +52,7 @@ class Neighbourhood : public ListProvider {
 
  private:
   void build();
+  void find_roles_between();
   void sort();
   void sort_line();
   [[nodiscard]] bool still_valid() const;
@@ -70,7 +71,9 @@ class Neighbourhood : public ListProvider {
   std::vector<Image> images_;
   std::vector<std::uint8_t> role_;
   NeighbourhoodState state_;
-  bool valid_ = false, on_a_line_ = false;
+  std::uint32_t present_ = 0,
+                between_ = 0;  // roles that have particles or images; and those that have any within the water
+  bool valid_ = false;
 };
 
 }  // namespace riffle

@@ -284,7 +284,7 @@ void Runner::run_global(const PassNode& called, const ListProvider& lists, const
 
 void Runner::prepare(Group& group, const ListProvider& lists, const std::vector<Image>& images, int threads) {
   const auto from = [this](const Source& s) { return source(s); };
-  group.on_a_line = lists.on_a_line() && LineGroup::possible(group.layout, group.request);
+  group.on_a_line = lists.on_a_line(group.request) && LineGroup::possible(group.layout);
   if (group.on_a_line) {
     if (group.line == nullptr)
       group.line = std::make_unique<LineGroup>(graph_, group.layout, group.request, group.written_before);

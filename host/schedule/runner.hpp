@@ -29,8 +29,8 @@ class ListProvider {
   virtual ~ListProvider() = default;
   [[nodiscard]] virtual const NeighbourList& list(const NeighbourRequest& request) const = 0;
   [[nodiscard]] virtual double kappa() const = 0;  // support of the kernel in smoothing lengths
-  // One dimension, one role, owned particles in ascending x and all images beyond their ends.
-  [[nodiscard]] virtual bool on_a_line() const = 0;
+  // One dimension, water alone as targets, in ascending x, and all other sources (buffers, walls, images) beyond its ends.
+  [[nodiscard]] virtual bool on_a_line(const NeighbourRequest& request) const = 0;
 };
 
 class Runner {
