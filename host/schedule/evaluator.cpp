@@ -229,6 +229,8 @@ void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, doub
                         graph_.fields()[static_cast<std::size_t>(read.field)].pair_source != PairSource::none);
     }
   }
+  // A global pass may look at images, which are made with the lists.
+  pairs = pairs || (sweep.global >= 0 && smoothing_length_ >= 0 && store_.find("smoothing_length") != nullptr);
   if (pairs && !lists_current_) {
     if (neighbourhood_.prepare()) std::fill(images_current_.begin(), images_current_.end(), 0);
     lists_current_ = true;

@@ -37,6 +37,7 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
   boundaries_ = std::make_unique<Boundaries>(*graph_, store_);
   neighbourhood_ = std::make_unique<Neighbourhood>(store_, kernel.support, options.skin,
                                                    [this](std::vector<Image>& images) { boundaries_->images(images); });
+  host_fields_.connect(store_, kernel.support, neighbourhood_->images());
   integrator_ = make_integrator(case_.time.integrator, *graph_, store_, case_.time.drag_implicit);
   evaluator_ = std::make_unique<Evaluator>(*graph_, store_, *neighbourhood_, options.runner);
   boundaries_->connect(*evaluator_, *neighbourhood_);
@@ -79,6 +80,7 @@ void Simulation::create_plugins(const Registry& registry) {
   }
   if (!broken.empty()) throw ScheduleError(broken);
   active.push_back(terrain_fields_->as_plugin());
+  active.push_back(host_fields_.plugin(case_.dimension));
   graph_ = std::make_unique<Graph>(case_.dimension, active, given, case_.output.fields);
   require_that_terrain_is_used();
 }

@@ -11,6 +11,7 @@
 #include "host/plugins/instance.hpp"
 #include "host/plugins/registry.hpp"
 #include "host/schedule/evaluator.hpp"
+#include "host/schedule/host_fields.hpp"
 #include "host/terrain/terrain_fields.hpp"
 #include "host/time/boundaries.hpp"
 #include "host/time/integrator.hpp"
@@ -80,6 +81,7 @@ class Simulation {
   std::vector<std::unique_ptr<PluginInstance>> instances_;
   std::unique_ptr<Terrain> terrain_;
   std::unique_ptr<TerrainFields> terrain_fields_;
+  HostFields host_fields_;
   std::unique_ptr<Graph> graph_;
   std::unique_ptr<Neighbourhood> neighbourhood_;
   std::unique_ptr<Evaluator> evaluator_;
