@@ -18,7 +18,7 @@ struct Monaghan {
                    "linear coefficient; 2 in the 2023 paper, 0.01-0.1 in weakly compressible flow"),
       riffle::real("beta", "1", 0.0, 0, 100, "quadratic coefficient, against interpenetration in strong shocks"),
       riffle::real("epsilon", "1", 0.01, 0, 1, "keeps mu finite at r = 0, in units of l squared", RIFFLE_ABOVE_MIN)};
-  static constexpr riffle_read reads[] = {riffle::pair(f::approach), riffle::pair(f::distance),
+  static constexpr riffle_read reads[] = {riffle::pair(f::approach), riffle::pair(f::distance_squared),
                                           riffle::mean(f::smoothing_length), riffle::mean(f::wave_speed)};
   static constexpr riffle_write writes[] = {riffle::set(f::viscous_pressure)};
 
@@ -26,12 +26,12 @@ struct Monaghan {
       : alpha(v.number("alpha")), beta(v.number("beta")), epsilon(v.number("epsilon")) {}
 
   void run(const riffle::Block& b) const {
-    const double *approach = b.in(0), *r = b.in(1), *l = b.in(2), *c = b.in(3);
+    const double *approach = b.in(0), *r2 = b.in(1), *l = b.in(2), *c = b.in(3), a = alpha, q = beta, eps = epsilon;
     double* pi = b.out(0);
     RIFFLE_EACH(k, b) {
       const double closing = approach[k] < 0 ? approach[k] : 0.0;
-      const double mu = l[k] * closing / (r[k] * r[k] + epsilon * l[k] * l[k]);
-      pi[k] = mu * (beta * mu - alpha * c[k]);
+      const double mu = l[k] * closing / (r2[k] + eps * l[k] * l[k]);
+      pi[k] = mu * (q * mu - a * c[k]);
     }
   }
 
