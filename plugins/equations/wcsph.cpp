@@ -1,7 +1,7 @@
 // Weakly compressible flow in two and three dimensions: continuity with density diffusion, linear state equation,
 // symmetric pressure force, gravity along the last axis.
 //
-//   drho_i/dt = sum_j m_j (u_ij . x_ij) F + 2 delta l c0 sum_j V_j (rho_i - rho_j) F r^2 / (r^2 + eta^2)
+//   drho_i/dt = sum_j m_j (u_ij . x_ij) F + 2 delta c0 sum_j l_j V_j (rho_i - rho_j) F r^2 / (r^2 + eta^2)
 //   a_i       = - sum_j m_j (p_i / rho_i^2 + p_j / rho_j^2 + Pi_ij / rho_ij) F x_ij + g
 //   p         = c0^2 (rho - rho0),   F = (dW/dr) / r,   eta^2 = 0.01 l^2
 //
