@@ -128,13 +128,10 @@ void pack_records(const double* const* columns, int used, int quads, std::int64_
                   double* records) {
   const int record = 4 * quads;
   const std::int64_t whole = first + ((last - first) & ~std::int64_t{3});
-  for (int q = 0; q < quads; ++q) {
-    const int have = used - 4 * q;
-    for (std::int64_t i = first; i < whole; i += 4) {
-      v4 a = load4(columns[4 * q] + i);
-      v4 b = have > 1 ? load4(columns[4 * q + 1] + i) : all4(0.0);
-      v4 c = have > 2 ? load4(columns[4 * q + 2] + i) : all4(0.0);
-      v4 d = have > 3 ? load4(columns[4 * q + 3] + i) : all4(0.0);
+  const auto column = [&](int k, std::int64_t i) { return k < used ? load4(columns[k] + i) : all4(0.0); };
+  for (std::int64_t i = first; i < whole; i += 4) {  // all of a record at once: it fills cache lines
+    for (int q = 0; q < quads; ++q) {
+      v4 a = column(4 * q, i), b = column(4 * q + 1, i), c = column(4 * q + 2, i), d = column(4 * q + 3, i);
       transpose4(a, b, c, d);
       double* to = records + i * record + 4 * q;
       store4(to, a);
@@ -142,9 +139,9 @@ void pack_records(const double* const* columns, int used, int quads, std::int64_
       store4(to + 2 * record, c);
       store4(to + 3 * record, d);
     }
-    for (std::int64_t i = whole; i < last; ++i) {
-      for (int k = 0; k < 4; ++k) records[i * record + 4 * q + k] = k < have ? columns[4 * q + k][i] : 0.0;
-    }
+  }
+  for (std::int64_t i = whole; i < last; ++i) {
+    for (int k = 0; k < record; ++k) records[i * record + k] = k < used ? columns[k][i] : 0.0;
   }
 }
 
