@@ -62,7 +62,8 @@ class LeapFrog : public Base {
     ParticleStore& store = evaluator.store();
     bool finite = true;
     for (const auto& n : first_order_) {
-      copy_field(store, n.field + "_half", n.field);  // roles that are not advanced keep their value
+      if (!all_advanced(store, n.e.roles))
+        copy_field(store, n.field + "_half", n.field);  // the others keep their value
       finite = move(evaluator, n, n.field + "_half", n.field, 0.5 * dt) && finite;
       finite = move(evaluator, n, n.field, n.field + "_half", 0.5 * dt) && finite;
     }
@@ -85,6 +86,12 @@ class LeapFrog : public Base {
   void restarted() override { started_ = false; }
 
  private:
+  static bool all_advanced(const ParticleStore& store, std::uint32_t roles) {
+    for (int role = 0; role < role_count; ++role) {
+      if ((roles & (1u << role)) == 0 && store.role_begin(role) != store.role_begin(role + 1)) return false;
+    }
+    return true;
+  }
   bool started_ = false;
 };
 

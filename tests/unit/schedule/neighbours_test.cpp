@@ -38,6 +38,43 @@ TEST_P(Neighbours, AreThoseOfTheParticleOfTheNeighbourOrOfEither) {
   }
 }
 
+// A walk along the line may end only when nobody further can see this stretch, however far some reach.
+TEST(NeighboursOnALine, AreFoundWhenSupportsVaryAHundredfold) {
+  WorldOptions options;
+  options.dim = 1;
+  options.given = {"weight"};
+  options.wanted = {"by_gather", "by_scatter", "by_either"};
+  options.images = [](ParticleStore& store, std::vector<Image>& images) {  // a mirror at each end
+    const std::int64_t n = store.owned();
+    for (std::int64_t i = 0; i < n; ++i) {
+      for (const double wall : {0.0, 1.0}) {
+        const double x = store.data("position")[i], l = store.data("smoothing_length")[i];
+        if (std::abs(x - wall) < 2 * l) images.push_back({i, true, 0, {wall, 0, 0}});
+      }
+    }
+  };
+  std::vector<std::vector<double>> first;
+  for (const std::int64_t chunk : {256, 40}) {
+    options.runner.chunk = chunk;
+    World world(Toys(1).add<ToyKernel>().add<Criteria>(), options);
+    double* l = world.store.data("smoothing_length");
+    for (std::int64_t i = 0; i < world.store.owned(); ++i) l[i] *= i % 37 == 0 ? 40 : i % 5 == 0 ? 0.4 : 1;
+    world.changed("smoothing_length");
+    world.compute(options.wanted);
+    std::vector<std::vector<double>> found;
+    const double* w = world.store.data("weight");
+    for (const auto& [name, reach] : std::map<std::string, Reach>{
+             {"by_gather", Reach::gather}, {"by_scatter", Reach::scatter}, {"by_either", Reach::either}}) {
+      SCOPED_TRACE(name);
+      found.push_back(world.values(name));
+      expect_same_sums(found.back(), brute_force_sum(world, {reach, gathered.targets, gathered.sources},
+                                                     [&](const FoundPair& pair) { return w[pair.j]; }));
+    }
+    if (first.empty()) first = found;
+    EXPECT_EQ(found, first);  // to the last bit, wherever stretches begin
+  }
+}
+
 constexpr riffle_field least_weight = scalar_field("least_weight", "1", "smallest over the neighbours");
 constexpr riffle_field largest_weight = scalar_field("largest_weight", "1", "largest over the neighbours");
 struct Extremes : ToyOf<'e', Reduce<least_weight, RIFFLE_AT_J, share, RIFFLE_MIN>,
