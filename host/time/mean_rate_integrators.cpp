@@ -48,7 +48,7 @@ class MeanRateIntegrator : public IntegratorBase {
   static constexpr const char* mean_ = "_mean_rate";
 };
 
-// In the Butcher form of Shu & Osher (1988), eqs 2.16 and 2.18: stage k starts from t with a mean of the rates so far.
+// In the Butcher form of Shu & Osher (1988): stage k starts from t with a mean of the rates so far.
 //   order 2: u + dt L0;  u + dt (L0 + L1) / 2
 //   order 3: u + dt L0;  u + dt/2 (L0 + L1) / 2;  u + dt (L0 + L1 + 4 L2) / 6
 class SspRungeKutta : public MeanRateIntegrator {

@@ -13,8 +13,7 @@ namespace f = riffle::fields;
 struct LaxFriedrichs {
   static constexpr auto id = "lax-friedrichs", kind = "viscosity", version = "1.0.0";
   static constexpr auto summary = "Dissipation of a Lax-Friedrichs flux, first order";
-  static constexpr auto source =
-      "Ata & Soulaimani (2005), A stabilized SPH method for inviscid shallow water flows, eqs 25-28";
+  static constexpr auto source = "Ata & Soulaimani (2005), A stabilized SPH method for inviscid shallow water flows";
   static constexpr auto leaves_out = "a reconstruction: smooth flow is smeared at first order";
   static constexpr riffle_parameter parameters[] = {
       riffle::real("alpha", "1", 1.0, 0, 100, "1: the flux of Lax and Friedrichs; less rings, more smears"),
