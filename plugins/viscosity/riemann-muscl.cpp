@@ -63,6 +63,7 @@ struct RiemannMuscl {
 
   struct Gradient {
     static constexpr auto pass_name = "velocity gradient";
+    static constexpr auto pass_type = RIFFLE_PASS_PARTICLE;
     static constexpr riffle_read reads[] = {riffle::at_i(slope_sum), riffle::at_i(moment)};
     static constexpr riffle_write writes[] = {riffle::set(gradient)};
     static void run(const RiemannMuscl&, const riffle::Block& b) {
