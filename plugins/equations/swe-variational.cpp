@@ -15,6 +15,7 @@
 // fails: without a viscosity at shocks; where the volumes of neighbours differ by more than 2 (place them equal-volume).
 #include <cmath>
 #include <riffle/sdk.hpp>
+#include <vector>
 
 namespace f = riffle::fields;
 
@@ -55,13 +56,19 @@ struct SweVariational {
     static constexpr auto pass_name = "initial volume and support";
     static constexpr std::uint32_t pass_flags = RIFFLE_INITIAL;
     static constexpr riffle_read reads[] = {riffle::at_i(f::cell_measure), riffle::at_i(f::depth),
-                                            riffle::at_i(f::channel_width, RIFFLE_OPTIONAL)};
+                                            riffle::at_i(f::position)};
     static constexpr riffle_write writes[] = {riffle::set(f::volume), riffle::set(f::smoothing_length)};
     static void run(const SweVariational& s, const riffle::Block& b) {
+      const double *cell = b.in(0), *depth = b.in(1);
+      double *volume = b.out(0), *l = b.out(1);
       for (std::int64_t k = 0; k < b.size(); ++k) {
-        b.out(0)[k] = b.in(1)[k] * b.in(0)[k] * (b.has(2) ? b.in(2)[k] / s.reference_width : 1.0);
-        b.out(1)[k] = s.smoothing_ratio * (b.dim() == 1 ? b.in(0)[k] : std::sqrt(b.in(0)[k]));
+        volume[k] = depth[k] * cell[k];
+        l[k] = s.smoothing_ratio * (b.dim() == 1 ? cell[k] : std::sqrt(cell[k]));
       }
+      if (s.terrain.has_width == 0) return;
+      std::vector<double> width(static_cast<std::size_t>(b.size()));
+      s.terrain.width(s.terrain.context, b.size(), b.in(2), width.data(), nullptr);
+      for (std::int64_t k = 0; k < b.size(); ++k) volume[k] *= width[static_cast<std::size_t>(k)] / s.reference_width;
     }
   };
 
@@ -206,7 +213,9 @@ struct SweVariational {
       : gravity(v.number("gravity")),
         smoothing_ratio(v.number("smoothing_ratio")),
         reference_width(v.number("reference_width")) {}
+  void connect(const riffle_services& services) { terrain = services; }
   double gravity, smoothing_ratio, reference_width;
+  riffle_services terrain{};
 };
 
 RIFFLE_PLUGIN(SweVariational)

@@ -45,7 +45,7 @@ class Variational(Scene):
     def test_without_shocks_energy_is_kept_to_second_order_in_time(self):
         # a hump of water in a closed channel, no dissipation: what is lost is the integrator's error, quartered by half the
         # step; the waves cross, but do not break until t = 2 s (amplitude 2 %)
-        sets = ["initial.particles={ count = 200 }", 'initial.depth="10 m + 0.2 m * exp(-((x - 100 m)/(10 m))^2)"',
+        sets = ["initial.particles={ count = 200 }", 'initial.depth="10 + 0.2*exp(-((x - 100)/10)^2)"',
                 'plugins.viscosity={id="none"}', 'time.end="2 s"']
         energy = lambda rows: sum(r["volume"] * (0.5 * r["velocity"]**2 + 0.5 * 9.81 * r["depth"]) for r in rows)
         fields = 'output.fields=["depth", "velocity", "volume"]'
