@@ -14,7 +14,7 @@
 //
 // Bed: both states are brought to the higher of the two beds, either at rest ("hydrostatic", Audusse et al. 2004: water
 // at rest stays so wherever the particles are) or along the flow with its head ("energy": steady flow over a step stays
-// so too). What a particle sees of its own side then acts back on it; see riffle/shallow_faces.hpp.
+// so too); see riffle/shallow_faces.hpp. The bed's push on a particle is what its own side gains or loses on that way.
 //
 // Not in it: two dimensions. Fixed particles want equal spacing: where the lengths of neighbours differ, a uniform flow
 // through them is kept only to first order. Lagrangian particles leak water at a tip on a dry bed.
@@ -73,6 +73,9 @@ struct SweAle {
       riffle::evolved_field(f::volume, volume_rate), riffle::evolved_field(f::momentum, momentum_rate, &f::drag_rate),
       riffle::evolved_field(f::extent, extent_rate, nullptr, "motion=lagrangian"),
       riffle::evolved_field(f::position, f::particle_velocity, nullptr, "motion=lagrangian")};
+
+  static constexpr riffle_refusal refuses[] = {
+      {sizeof(riffle_refusal), 0, "viscosity", nullptr, "its HLL fluxes dissipate already; use none"}};
 
   struct Start {
     static constexpr auto pass_name = "initial volume and momentum";
@@ -179,7 +182,11 @@ struct SweAle {
       double *level = b.out(0), *velocity = b.out(1);
       if (b.has(6)) {
         const double *b_i = b.in(6), *b_j = b.in(7);
-        RIFFLE_EACH(k, b) level[k] = -extent[k] * gradient[k] * dx[k] * ((h_i[k] + b_i[k]) - (h_j[k] + b_j[k]));
+        RIFFLE_EACH(k, b) {  // water that does not reach up to the other's bed has no level there
+          const double top_i = h_i[k] + b_i[k], top_j = h_j[k] + b_j[k];
+          const double apart = top_i < b_j[k] || top_j < b_i[k] ? 0.0 : top_i - top_j;
+          level[k] = -extent[k] * gradient[k] * dx[k] * apart;
+        }
       } else {
         RIFFLE_EACH(k, b) level[k] = -extent[k] * gradient[k] * dx[k] * (h_i[k] - h_j[k]);
       }

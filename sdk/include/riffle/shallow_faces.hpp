@@ -38,6 +38,11 @@ struct ShallowFaces {
   alignas(64) double rise[capacity];  // level of the side of i less the level of particle i
 };
 
+inline double bounded(double value, double least, double most) {
+  const double up = value > least ? value : least;
+  return up < most ? up : most;
+}
+
 // Faces of the pairs [first, first + n).
 template <bool with_bed, class Limiter>
 void reconstruct(const ShallowPairs& p, std::int64_t first, std::int64_t n, Limiter limiter, ShallowFaces& out) {
@@ -51,16 +56,19 @@ void reconstruct(const ShallowPairs& p, std::int64_t first, std::int64_t n, Limi
   for (std::int64_t k = 0; k < n; ++k) {
     const double twice_i = -2 * dx[k] * factor_i[k], twice_j = -2 * dx[k] * factor_j[k];  // from i to j
     const double bed_i = with_bed ? b_i[k] : 0.0, bed_j = with_bed ? b_j[k] : 0.0;
-    const double d_level = (h_j[k] + bed_j) - (h_i[k] + bed_i), d_u = u_j[k] - u_i[k], d_bed = bed_j - bed_i;
-    const double up_i = 0.5 * limiter(twice_i * level_i[k] - d_level, d_level);
-    const double up_j = 0.5 * limiter(twice_j * level_j[k] - d_level, d_level);
+    const double top_i = h_i[k] + bed_i, top_j = h_j[k] + bed_j;
+    const double d_level = top_j - top_i, d_u = u_j[k] - u_i[k], d_bed = bed_j - bed_i;
+    const double up_i = top_i < bed_j ? 0.0 : 0.5 * limiter(twice_i * level_i[k] - d_level, d_level);
+    const double up_j = top_j < bed_i ? 0.0 : 0.5 * limiter(twice_j * level_j[k] - d_level, d_level);
     const double faster_i = 0.5 * limiter(twice_i * velocity_i[k] - d_u, d_u);
     const double faster_j = 0.5 * limiter(twice_j * velocity_j[k] - d_u, d_u);
-    const double higher_i = with_bed ? 0.5 * limiter(twice_i * rise_i[k] - d_bed, d_bed) : 0.0;
-    const double higher_j = with_bed ? 0.5 * limiter(twice_j * rise_j[k] - d_bed, d_bed) : 0.0;
+    const double bend_i = with_bed ? 0.5 * limiter(twice_i * rise_i[k] - d_bed, d_bed) : 0.0;
+    const double bend_j = with_bed ? 0.5 * limiter(twice_j * rise_j[k] - d_bed, d_bed) : 0.0;
+    const double higher_i = bounded(bend_i, up_i - h_i[k], up_i + h_i[k]);
+    const double higher_j = bounded(bend_j, up_j - h_j[k], up_j + h_j[k]);
     const double at_i = h_i[k] + (up_i - higher_i), at_j = h_j[k] - (up_j - higher_j);
     const double face_i = at_i > 0 ? at_i : 0.0, face_j = at_j > 0 ? at_j : 0.0;
-    const double speed_i = u_i[k] + faster_i, speed_j = u_j[k] - faster_j;
+    const double speed_i = face_i > 0 ? u_i[k] + faster_i : 0.0, speed_j = face_j > 0 ? u_j[k] - faster_j : 0.0;
     const bool i_is_left = dx[k] < 0;
     out.left.h[k] = i_is_left ? face_i : face_j;
     out.right.h[k] = i_is_left ? face_j : face_i;
@@ -69,7 +77,7 @@ void reconstruct(const ShallowPairs& p, std::int64_t first, std::int64_t n, Limi
     if (with_bed) {
       out.left.b[k] = i_is_left ? bed_i + higher_i : bed_j - higher_j;
       out.right.b[k] = i_is_left ? bed_j - higher_j : bed_i + higher_i;
-      out.rise[k] = at_i > 0 ? up_i : higher_i - h_i[k];  // of a dry face: the level of its bed
+      out.rise[k] = up_i;
     }
   }
 }
@@ -103,7 +111,7 @@ inline void head_to_common_bed(double g, std::int64_t n, ShallowFaces& faces) {
       const double highest = b_left[k] > b_right[k] ? b_left[k] : b_right[k], step = highest - side->b[k];
       const double e = h - step + 0.5 * u * u / g, above = e > 0 ? e : 0.0;
       const double critical = 2 * above / 3, start = h * h * h > q2 ? e : std::sqrt(0.5 * q2 / (e > 0 ? e : 1.0));
-      const bool enough = above * above * above > 3.375 * q2;
+      const bool enough = h > 0 && above * above * above > 3.375 * q2;
       carried[k] = step > 0 && enough ? 1.0 : 0.0;
       side->h_star[k] = step > 0 ? (enough ? start : critical) : h;
       side->u_star[k] = step > 0 ? std::copysign(std::sqrt(g * critical), u) : u;
