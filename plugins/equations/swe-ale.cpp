@@ -15,6 +15,8 @@
 // Bed: both states are brought to the higher of the two beds, either at rest ("hydrostatic", Audusse et al. 2004: water
 // at rest stays so wherever the particles are) or along the flow with its head ("energy": steady flow over a step stays
 // so too); see riffle/shallow_faces.hpp. The bed's push on a particle is what its own side gains or loses on that way.
+// Width: fluxes are multiplied by the width at the face, the mean of the two particles', and the walls push back with the
+// pressure of either side, so that still water in a channel of any width stays still.
 //
 // Not in it: two dimensions. Fixed particles want equal spacing: where the lengths of neighbours differ, a uniform flow
 // through them is kept only to first order. Lagrangian particles leak water at a tip on a dry bed.
@@ -66,9 +68,12 @@ struct SweAle {
       riffle::real("dry_depth", "m", 1e-8, 0, 1, "water below this depth has no velocity", RIFFLE_ABOVE_MIN),
       riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity"),
       riffle::inherited("smoothing_ratio", "1", "domain.smoothing_ratio", 0.5, 10,
-                        "eta: smoothing length over the particle's length; 0.8 to 1.3, best 1")};
+                        "eta: smoothing length over the particle's length; 0.8 to 1.3, best 1"),
+      riffle::real("reference_width", "m", 1, 0, 1e6, "width of the channel that volumes are counted for",
+                   RIFFLE_ABOVE_MIN)};
   static constexpr riffle_field initial[] = {f::depth, f::velocity};
   static constexpr const riffle_field* conserved = &f::volume;
+  static constexpr auto requires_integrator = "predictor-corrector";
   static constexpr riffle_evolved evolved[] = {
       riffle::evolved_field(f::volume, volume_rate), riffle::evolved_field(f::momentum, momentum_rate, &f::drag_rate),
       riffle::evolved_field(f::extent, extent_rate, nullptr, "motion=lagrangian"),
@@ -81,12 +86,13 @@ struct SweAle {
     static constexpr auto pass_name = "initial volume and momentum";
     static constexpr std::uint32_t pass_flags = RIFFLE_INITIAL;
     static constexpr riffle_read reads[] = {riffle::at_i(f::cell_measure), riffle::at_i(f::depth),
-                                            riffle::at_i(f::velocity, RIFFLE_OPTIONAL)};
+                                            riffle::at_i(f::velocity, RIFFLE_OPTIONAL),
+                                            riffle::at_i(f::channel_width, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::set(f::extent), riffle::set(f::volume), riffle::set(f::momentum)};
-    static void run(const SweAle&, const riffle::Block& b) {
+    static void run(const SweAle& s, const riffle::Block& b) {
       for (std::int64_t k = 0; k < b.size(); ++k) {
         b.out(0)[k] = b.in(0)[k];
-        b.out(1)[k] = b.in(0)[k] * b.in(1)[k];
+        b.out(1)[k] = b.in(0)[k] * b.in(1)[k] * (b.has(3) ? b.in(3)[k] / s.reference_width : 1.0);
         b.out(2)[k] = b.has(2) ? b.out(1)[k] * b.in(2)[k] : 0.0;
       }
     }
@@ -108,16 +114,21 @@ struct SweAle {
 
   struct State {
     static constexpr auto pass_name = "depth and velocity";
-    static constexpr riffle_read reads[] = {riffle::at_i(f::volume), riffle::at_i(f::extent),
-                                            riffle::at_i(f::momentum)};
+    static constexpr riffle_read reads[] = {riffle::at_i(f::volume), riffle::at_i(f::extent), riffle::at_i(f::momentum),
+                                            riffle::at_i(f::channel_width, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::set(f::depth), riffle::set(f::velocity),
                                               riffle::set(f::wave_speed)};
     static void run(const SweAle& s, const riffle::Block& b) {
       const double *volume = b.in(0), *extent = b.in(1), *momentum = b.in(2);
       double *depth = b.out(0), *velocity = b.out(1), *c = b.out(2);
+      if (b.has(3)) {
+        const double* width = b.in(3);
+        RIFFLE_EACH(k, b) depth[k] = volume[k] * s.reference_width / (extent[k] * width[k]);
+      } else {
+        RIFFLE_EACH(k, b) depth[k] = volume[k] / extent[k];
+      }
       RIFFLE_EACH(k, b) {
-        const double h = volume[k] / extent[k];
-        depth[k] = h;
+        const double h = depth[k];
         velocity[k] = h > s.dry_depth ? momentum[k] / volume[k] : 0.0;
         c[k] = std::sqrt(s.gravity * h);
       }
@@ -267,10 +278,12 @@ struct SweAle {
                                             riffle::at_i(f::bed_level, RIFFLE_OPTIONAL),
                                             riffle::at_j(f::bed_level, RIFFLE_OPTIONAL),
                                             riffle::at_i(bed_rise, RIFFLE_OPTIONAL),
-                                            riffle::at_j(bed_rise, RIFFLE_OPTIONAL)};
+                                            riffle::at_j(bed_rise, RIFFLE_OPTIONAL),
+                                            riffle::at_i(f::channel_width, RIFFLE_OPTIONAL),
+                                            riffle::at_j(f::channel_width, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::sum(volume_rate), riffle::sum(momentum_rate)};
     static void run(const SweAle& s, const riffle::Block& b) {
-      const bool bed = b.has(15);
+      const bool bed = b.has(15), width = b.has(19);
       const riffle::ShallowPairs pairs{
           b.in(0), b.in(7),  b.in(8),  b.in(9),  b.in(10), bed ? b.in(15) : nullptr, bed ? b.in(16) : nullptr, b.in(5),
           b.in(6), b.in(11), b.in(12), b.in(13), b.in(14), bed ? b.in(17) : nullptr, bed ? b.in(18) : nullptr};
@@ -280,45 +293,50 @@ struct SweAle {
           const std::int64_t left = b.size() - first, n = left < faces.capacity ? left : faces.capacity;
           if (!bed) {
             riffle::reconstruct<false>(pairs, first, n, limiter, faces);
-            exchange<false>(s, b, first, n, faces);
+            width ? exchange<false, true>(s, b, first, n, faces) : exchange<false, false>(s, b, first, n, faces);
             continue;
           }
           riffle::reconstruct<true>(pairs, first, n, limiter, faces);
-          if (s.keeps_head)
-            riffle::head_to_common_bed(s.gravity, n, faces);
-          else
-            riffle::still_water_to_common_bed(n, faces);
-          exchange<true>(s, b, first, n, faces);
+          s.keeps_head ? riffle::head_to_common_bed(s.gravity, n, faces) : riffle::still_water_to_common_bed(n, faces);
+          width ? exchange<true, true>(s, b, first, n, faces) : exchange<true, false>(s, b, first, n, faces);
         }
       });
     }
-    template <bool with_bed>
+
+    template <bool with_bed, bool with_width>
     static void exchange(const SweAle& s, const riffle::Block& b, std::int64_t first, std::int64_t n,
                          const riffle::ShallowFaces& faces) {
       const double *dx = b.in(0) + first, *gradient_i = b.in(1) + first, *gradient_j = b.in(2) + first;
       const double *extent_i = b.in(3) + first, *extent_j = b.in(4) + first, *factor_i = b.in(5) + first;
       const double *factor_j = b.in(6) + first, *h_i = b.in(7) + first, *u_i = b.in(9) + first, *u_j = b.in(10) + first;
+      const double *width_i = with_width ? b.in(19) + first : h_i, *width_j = with_width ? b.in(20) + first : h_i;
       double *volume = b.out(0) + first, *momentum = b.out(1) + first;
       const auto &left = faces.left, &right = faces.right;
       const double *h_left = with_bed ? left.h_star : left.h, *u_left = with_bed ? left.u_star : left.u;
       const double *h_right = with_bed ? right.h_star : right.h, *u_right = with_bed ? right.u_star : right.u;
-      const double g = s.gravity, dry = s.dry_depth, moving = s.moving ? 0.5 : 0.0, head = s.keeps_head ? 1.0 : 0.0;
+      const double g = s.gravity, dry = s.dry_depth, moving = s.moving ? 0.5 : 0.0;
+      const double head = with_bed && s.keeps_head ? 1.0 : 0.0, per_width = 1 / s.reference_width;
 #pragma omp simd
       for (std::int64_t k = 0; k < n; ++k) {
         const double w = moving * (u_i[k] + u_j[k]);
         const bool i_is_left = dx[k] < 0;
-        const double still = with_bed ? (i_is_left ? h_left[k] : h_right[k]) : 0.0;
+        const double own = i_is_left ? h_left[k] : h_right[k], still = with_bed || with_width ? own : 0.0;
         const auto flux = riffle::hll_flux(g, {h_left[k], u_left[k]}, {h_right[k], u_right[k]}, w, still, dry);
-        double thrust = 0;
-        if (with_bed) {
+        double face = extent_i[k] * extent_j[k] * (factor_i[k] * gradient_i[k] + factor_j[k] * gradient_j[k]) * dx[k];
+        double thrust = 0, bend = 0;  // of the way from the particle to the face, and at the face
+        if (with_bed || with_width) {
           const double h = i_is_left ? left.h[k] : right.h[k], u = i_is_left ? left.u[k] : right.u[k];
           const double u_star = i_is_left ? u_left[k] : u_right[k];
-          thrust = 0.5 * g * (h + h_i[k]) * faces.rise[k] + head * (h * u * (u - w) - still * u_star * (u_star - w));
+          thrust = 0.5 * g * (h + h_i[k]) * faces.rise[k];
+          bend = head * (h * u * (u - w) - own * u_star * (u_star - w));
         }
-        const double face =
-            extent_i[k] * extent_j[k] * (factor_i[k] * gradient_i[k] + factor_j[k] * gradient_j[k]) * dx[k];
+        if (with_width) {
+          const double width = 0.5 * (width_i[k] + width_j[k]);  // of the face
+          thrust *= 0.5 * (width_i[k] + width) / width;
+          face *= width * per_width;
+        }
         volume[k] = -face * flux.volume;
-        momentum[k] = -face * (flux.momentum + thrust);
+        momentum[k] = -face * (flux.momentum + bend + thrust);
       }
     }
   };
@@ -342,9 +360,10 @@ struct SweAle {
   };
   using votes = riffle::Votes<Acoustic>;
 
-  // Smoothing length of a particle of that length, with its neighbours that far away (0: not known).
+  // Smoothing length of a particle of that length, with its neighbours that far away (0: not known). A hair less than eta
+  // lengths: else round-off decides whether the next but one on a lattice, whose kernel is 0, is visited.
   [[nodiscard]] double support(double extent, double left, double right) const {
-    const double l = smoothing_ratio * extent, least_left = 0.7 * smoothing_ratio * left;
+    const double l = smoothing_ratio * extent * (1 - 1e-9), least_left = 0.7 * smoothing_ratio * left;
     const double least_right = 0.7 * smoothing_ratio * right;
     const double wider = least_left > l && least_left < riffle::infinity ? least_left : l;
     return least_right > wider && least_right < riffle::infinity ? least_right : wider;
@@ -354,10 +373,11 @@ struct SweAle {
       : gravity(v.number("gravity")),
         smoothing_ratio(v.number("smoothing_ratio")),
         dry_depth(v.number("dry_depth")),
+        reference_width(v.number("reference_width")),
         limiter(riffle::limiter_of(v.word("limiter"))),
         moving(v.word("motion") == "lagrangian"),
         keeps_head(v.word("bed") == "energy") {}
-  double gravity, smoothing_ratio, dry_depth;
+  double gravity, smoothing_ratio, dry_depth, reference_width;
   riffle::Limiter limiter;
   bool moving, keeps_head;
 };

@@ -74,10 +74,10 @@ void reconstruct(const ShallowPairs& p, std::int64_t first, std::int64_t n, Limi
     out.right.h[k] = i_is_left ? face_j : face_i;
     out.left.u[k] = i_is_left ? speed_i : speed_j;
     out.right.u[k] = i_is_left ? speed_j : speed_i;
+    out.rise[k] = up_i;
     if (with_bed) {
       out.left.b[k] = i_is_left ? bed_i + higher_i : bed_j - higher_j;
       out.right.b[k] = i_is_left ? bed_j - higher_j : bed_i + higher_i;
-      out.rise[k] = up_i;
     }
   }
 }
