@@ -82,7 +82,7 @@ struct MirrorWall {
   static void reflect(const riffle_editor& e, const Wall& wall, std::int64_t k) {
     double* x = e.write(e.context, "position", wall.axis);
     x[k] = 2 * wall.position - x[k];
-    for (const char* reversed : {"velocity", "acceleration"}) {
+    for (const char* reversed : {"velocity", "acceleration", "momentum"}) {
       if (double* v = e.write(e.context, reversed, wall.axis)) v[k] = -v[k];
     }
   }

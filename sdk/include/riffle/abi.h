@@ -232,6 +232,7 @@ typedef struct riffle_evolved { /* d field / dt = rate - damping * field */
   uint32_t size, flags;
   const riffle_field *field, *rate;
   const riffle_field *damping; /* NULL, or a rate [1/s] >= 0 applied point-implicitly when somebody writes it */
+  const char *when;            /* as for passes: evolved only then */
 } riffle_evolved;
 
 /* ---- Kinds with functions of their own -------------------------------------------------------------------------- */
