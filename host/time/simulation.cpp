@@ -26,6 +26,7 @@ int worthwhile_threads(int dim, std::int64_t particles) {
 Simulation::Simulation(const Case& scene, const Registry& registry, const SimulationOptions& options)
     : case_(scene), options_(options), store_(scene.dimension) {
   create_plugins(registry);
+  if (options.only_plugins) return;
   place_particles();
   omp_set_num_threads(options.threads > 0 ? options.threads : worthwhile_threads(scene.dimension, store_.owned()));
   add_fields();

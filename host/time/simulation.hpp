@@ -22,6 +22,7 @@ struct SimulationOptions {
   int threads = 0;    // 0: all cores
   double skin = 0.1;  // of neighbour lists, fraction of the support; 2D and 3D
   RunnerOptions runner;
+  bool only_plugins = false;  // to try a combination: plugins and their graph are made, and nothing can be run
 };
 
 // All that a later process needs to go on bit by bit.
