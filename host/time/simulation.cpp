@@ -230,12 +230,16 @@ void Simulation::refresh(const std::vector<std::string>& fields) {
 std::vector<std::string> Simulation::shown_fields() const {
   if (!case_.output.fields.empty()) return case_.output.fields;
   std::vector<std::string> shown;
+  std::set<std::string> initial;  // what a case can start with is what it is about, also when it is derived afterwards
+  for (const auto& plugin : graph_->plugins()) {
+    for (auto f = plugin.table->initial; f != nullptr && *f != nullptr; ++f) initial.insert((*f)->name);
+  }
   for (const auto& [name, field] : store_.fields()) {
     const int f = graph_->field(name);
     if (f < 0 || name == "position" || name == "cell_measure") continue;
     const auto& graph_field = graph_->fields()[static_cast<std::size_t>(f)];
     const bool varies = !graph_field.attribute;
-    if (graph_field.evolved || (graph_field.given && varies)) shown.push_back(name);
+    if (graph_field.evolved || ((graph_field.given || initial.count(name) != 0) && varies)) shown.push_back(name);
   }
   return shown;
 }

@@ -1,7 +1,7 @@
 // One dimension along the line: particles of other roles beyond the ends of the water, as open boundaries have them.
 #include "tests/unit/schedule/world.hpp"
 
-namespace riffle::test {
+namespace riffle::test::line {
 namespace {
 
 constexpr riffle_field weight = scalar_field("weight", "1", "something to sum");
@@ -95,4 +95,4 @@ TEST_F(Line, ListAndLineGiveTheSameSumsToRoundOff) {
 }
 
 }  // namespace
-}  // namespace riffle::test
+}  // namespace riffle::test::line

@@ -42,7 +42,7 @@ TEST_P(Neighbours, AreThoseOfTheParticleOfTheNeighbourOrOfEither) {
 TEST(NeighboursOnALine, AreFoundWhenSupportsVaryAHundredfold) {
   WorldOptions options;
   options.dim = 1;
-  options.given = {"weight"};
+  options.given = {"share"};
   options.wanted = {"by_gather", "by_scatter", "by_either"};
   options.images = [](ParticleStore& store, std::vector<Image>& images) {  // a mirror at each end
     const std::int64_t n = store.owned();
@@ -62,7 +62,7 @@ TEST(NeighboursOnALine, AreFoundWhenSupportsVaryAHundredfold) {
     world.changed("smoothing_length");
     world.compute(options.wanted);
     std::vector<std::vector<double>> found;
-    const double* w = world.store.data("weight");
+    const double* w = world.store.data("share");
     for (const auto& [name, reach] : std::map<std::string, Reach>{
              {"by_gather", Reach::gather}, {"by_scatter", Reach::scatter}, {"by_either", Reach::either}}) {
       SCOPED_TRACE(name);

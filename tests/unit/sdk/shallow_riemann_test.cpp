@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace riffle::test {
+namespace riffle::test::riemann {
 namespace {
 
 constexpr double g = 9.81, dry = 1e-8;
@@ -53,4 +53,4 @@ TEST(Hll, ADryBedGetsWaterAndGivesNone) {
 }
 
 }  // namespace
-}  // namespace riffle::test
+}  // namespace riffle::test::riemann

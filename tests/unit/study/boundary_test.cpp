@@ -44,12 +44,12 @@ int far_off(const TracedMap& map, const Truth& truth) {
   return count;
 }
 
-struct Shape {
+struct Region {
   const char* name;
   Truth truth;
 };
 
-class Boundary : public testing::TestWithParam<Shape> {};
+class Boundary : public testing::TestWithParam<Region> {};
 
 // A full grid takes 400 runs; a quarter of them must do, at the same boundary to one cell.
 TEST_P(Boundary, IsFoundToOneCellWithAQuarterOfTheRuns) {
@@ -61,13 +61,13 @@ TEST_P(Boundary, IsFoundToOneCellWithAQuarterOfTheRuns) {
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, Boundary,
-    testing::Values(Shape{"line", [](int x, int y) { return int(y > 0.6 * x + 3.3); }},
-                    Shape{"hyperbola", [](int x, int y) { return int((x + 1) * (y + 1) > 60); }},
-                    Shape{"circle", [](int x, int y) { return int(std::hypot(x - 9.3, y - 10.1) < 6.3); }},
-                    Shape{"level", [](int, int y) { return int(y > 7); }},
-                    Shape{"upright", [](int x, int) { return int(x > 18); }},
-                    Shape{"wave", [](int x, int y) { return int(y > 10 + 5 * std::sin(x / 2.5)); }},
-                    Shape{"three", [](int x, int y) { return (x + 1) * (y + 1) > 150 ? 2 : int(y < 0.3 * x); }}),
+    testing::Values(Region{"line", [](int x, int y) { return int(y > 0.6 * x + 3.3); }},
+                    Region{"hyperbola", [](int x, int y) { return int((x + 1) * (y + 1) > 60); }},
+                    Region{"circle", [](int x, int y) { return int(std::hypot(x - 9.3, y - 10.1) < 6.3); }},
+                    Region{"level", [](int, int y) { return int(y > 7); }},
+                    Region{"upright", [](int x, int) { return int(x > 18); }},
+                    Region{"wave", [](int x, int y) { return int(y > 10 + 5 * std::sin(x / 2.5)); }},
+                    Region{"three", [](int x, int y) { return (x + 1) * (y + 1) > 150 ? 2 : int(y < 0.3 * x); }}),
     [](const auto& info) { return info.param.name; });
 
 TEST(Trace, TakesAnEighthOfTheRunsForAStraightBoundary) {

@@ -92,7 +92,9 @@ double error_at_one(const std::string& integrator, int n) {
 
 // The measured order tends to the true one with an error of the order of dt = 1/80 itself: 0.05 leaves room for a few dt.
 TEST(Integrators, ConvergeWithTheOrderThatTheyClaim) {
-  const std::map<std::string, double> orders{{"leap-frog", 2}, {"semi-implicit-euler", 1}, {"predictor-corrector", 2}};
+  const std::map<std::string, double> orders{
+      {"leap-frog", 2}, {"semi-implicit-euler", 1}, {"predictor-corrector", 2}, {"predictor-verlet", 2}, {"ssp-rk2", 2},
+      {"ssp-rk3", 3}};
   ASSERT_EQ(orders.size(), integrator_names().size()) << "an integrator without a claim";
   for (const auto& [name, order] : orders)
     EXPECT_NEAR(std::log2(error_at_one(name, 80) / error_at_one(name, 160)), order, 0.05) << name;
