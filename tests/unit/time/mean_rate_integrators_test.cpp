@@ -1,6 +1,7 @@
 // predictor-verlet, ssp-rk2 and ssp-rk3 on a forced oscillator with quadratic drag and a scalar carried along:
 //   dx/dt = u,   du/dt = -x + sin t - k |u| u,   ds/dt = -s u
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <array>
 #include <cmath>
@@ -8,7 +9,7 @@
 
 #include "host/time/integrator.hpp"
 
-namespace riffle::test::mean_rate {
+namespace riffle::test {
 namespace {
 
 namespace f = riffle::fields;
@@ -57,9 +58,9 @@ struct Drag {
 using State = std::array<double, 3>;  // x, u, s
 
 // One particle, its plugins and an integrator.
-class Trial {
+class Motion {
  public:
-  Trial(const std::string& integrator, double drag, bool implicit, const State& start)
+  Motion(const std::string& integrator, double drag, bool implicit, const State& start)
       : oscillator_(Values(1, nullptr, 0, nullptr)),
         drag_(Values(1, nullptr, 0, nullptr)),
         graph_(1, plugins(drag), {"velocity", "scalar"}, {}),
@@ -68,6 +69,7 @@ class Trial {
     for (const auto& field : graph_.fields()) {
       if (field.pair_source == PairSource::none) store_.add_field(field.description, FieldUse::evolved);
     }
+    omp_set_num_threads(1);  // for one particle, threads would only wait for each other
     store_.resize_owned({1, 0, 0, 0, 0, 0});
     integrator_ = make_integrator(integrator, graph_, store_, implicit);
     evaluator_ = std::make_unique<Evaluator>(graph_, store_, neighbourhood_, RunnerOptions{});
@@ -127,7 +129,7 @@ State exact(State y, double drag, double end) {
 constexpr State start{0.4, 1.0, 2.0};  // the velocity keeps its sign until t = 1
 
 double error(const std::string& integrator, double drag, bool implicit, int steps, std::size_t q) {
-  Trial run(integrator, drag, implicit, start);
+  Motion run(integrator, drag, implicit, start);
   run.advance(0, 1, steps);
   return std::abs(run.state()[q] - exact(start, drag, 1)[q]);
 }
@@ -158,7 +160,7 @@ TEST_P(MeanRate, HasSecondOrderAtLeastWithDragThatDependsOnTheVelocity) {
 // Limits of k -> infinity: u = (dt a) / k is of the order of sqrt(a / factor) at most; an unstable or merely neutral scheme
 // leaves u near 1.
 TEST_P(MeanRate, LetsStiffDragStopTheWaterWithoutOvershoot) {
-  Trial run(GetParam().integrator, 1e12, true, start);
+  Motion run(GetParam().integrator, 1e12, true, start);
   run.advance(0, 1, 10);
   EXPECT_GE(run.state()[1], -1e-3);
   EXPECT_LE(run.state()[1], 1e-3);
@@ -168,14 +170,14 @@ TEST_P(MeanRate, LetsStiffDragStopTheWaterWithoutOvershoot) {
 // t = 0 over steps too short for x to move: what is left is round-off of one step.
 TEST_P(MeanRate, KeepsABalanceOfForceAndDragToRoundOff) {
   const State balanced{-4, 2, 1};  // a = 4 = k u^2 with k = 1
-  Trial run(GetParam().integrator, 1, true, balanced);
+  Motion run(GetParam().integrator, 1, true, balanced);
   run.advance(0, 1e-9, 1);
   // x moves by 2e-9, and with it the force: half of that times dt, 2e-18, is below round-off of u
   EXPECT_NEAR(run.state()[1], 2, 4.5e-16);
 }
 
 TEST_P(MeanRate, GoesOnAfterParticlesWereReplacedAsIfItBeganThere) {
-  Trial replaced(GetParam().integrator, 0.7, true, {3, -2, 1}), fresh(GetParam().integrator, 0.7, true, start);
+  Motion replaced(GetParam().integrator, 0.7, true, {3, -2, 1}), fresh(GetParam().integrator, 0.7, true, start);
   replaced.advance(-0.5, 0, 7);
   replaced.set(start);
   replaced.advance(0, 1, 13);
@@ -197,4 +199,4 @@ TEST(MeanRateOrder, ThirdOrderIsThatOfShuAndOsherNotOfItsFirstTwoStages) {
 }
 
 }  // namespace
-}  // namespace riffle::test::mean_rate
+}  // namespace riffle::test
