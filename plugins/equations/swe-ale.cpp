@@ -20,6 +20,7 @@
 //
 // Not in it: two dimensions. Fixed particles want equal spacing: where the lengths of neighbours differ, a uniform flow
 // through them is kept only to first order. Lagrangian particles leak water at a tip on a dry bed.
+#include <algorithm>
 #include <cmath>
 #include <riffle/limiters.hpp>
 #include <riffle/sdk.hpp>
@@ -243,6 +244,18 @@ struct SweAle {
     }
   };
 
+  // Buffers beyond an open end are what the boundary makes of them, all alike, and see nothing themselves.
+  struct Buffers {
+    static constexpr auto pass_name = "buffers are level";
+    static constexpr std::uint32_t targets = RIFFLE_INFLOW | RIFFLE_OUTFLOW;
+    static constexpr riffle_read reads[] = {riffle::at_i(f::depth)};
+    static constexpr riffle_write writes[] = {riffle::set(level_slope), riffle::set(velocity_slope),
+                                              riffle::set(bed_rise), riffle::set(renormalisation)};
+    static void run(const SweAle&, const riffle::Block& b) {
+      for (int k = 0; k < 4; ++k) std::fill_n(b.out(k), b.size(), 0.0);
+    }
+  };
+
   struct Stretch {
     static constexpr auto pass_name = "stretching";
     static constexpr auto when = "motion=lagrangian";
@@ -322,7 +335,8 @@ struct SweAle {
         const bool i_is_left = dx[k] < 0;
         const double own = i_is_left ? h_left[k] : h_right[k], still = with_bed || with_width ? own : 0.0;
         const auto flux = riffle::hll_flux(g, {h_left[k], u_left[k]}, {h_right[k], u_right[k]}, w, still, dry);
-        double face = extent_i[k] * extent_j[k] * (factor_i[k] * gradient_i[k] + factor_j[k] * gradient_j[k]) * dx[k];
+        const double by_i = factor_i[k] * gradient_i[k], by_j = factor_j[k] > 0 ? factor_j[k] * gradient_j[k] : by_i;
+        double face = extent_i[k] * extent_j[k] * (by_i + by_j) * dx[k];
         double thrust = 0, bend = 0;  // of the way from the particle to the face, and at the face
         if (with_bed || with_width) {
           const double h = i_is_left ? left.h[k] : right.h[k], u = i_is_left ? left.u[k] : right.u[k];
@@ -341,7 +355,7 @@ struct SweAle {
     }
   };
   using passes = riffle::Passes<Start, StandStill, State, Move, Support, Spacings, Slopes, BedRise, Measure,
-                                Renormalise, Stretch, Exchange>;
+                                Renormalise, Buffers, Stretch, Exchange>;
 
   struct Acoustic {
     static constexpr auto name = "acoustic";

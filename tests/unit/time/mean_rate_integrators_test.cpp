@@ -9,7 +9,7 @@
 
 #include "host/time/integrator.hpp"
 
-namespace riffle::test {
+namespace riffle::test::mean_rate {
 namespace {
 
 namespace f = riffle::fields;
@@ -199,4 +199,4 @@ TEST(MeanRateOrder, ThirdOrderIsThatOfShuAndOsherNotOfItsFirstTwoStages) {
 }
 
 }  // namespace
-}  // namespace riffle::test
+}  // namespace riffle::test::mean_rate
