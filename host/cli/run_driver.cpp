@@ -23,6 +23,7 @@
 #include "host/output/progress.hpp"
 #include "host/output/run_folder.hpp"
 #include "host/output/snapshots.hpp"
+#include "host/verdicts/watch.hpp"
 
 namespace riffle {
 
@@ -80,6 +81,7 @@ class Driver {
       wall_before_ = resumed.at("wall_seconds").get<double>();
       cpu_before_ = resumed.at("cpu_seconds").get<double>();
       momentum_initial_ = resumed.at("momentum_initial").get<std::vector<double>>();
+      watch_->restore(resumed.at("watch"));
       log_->info("resumed at t = {} s, step {}", simulation.time(), simulation.steps());
     } else {
       momentum_initial_ = simulation.momentum();
@@ -103,7 +105,10 @@ class Driver {
     return finish(snapshots, failure);
   }
 
-  void capture_initial(Simulation& simulation) { initial_ = capture(simulation); }
+  void capture_initial(Simulation& simulation) {
+    initial_ = capture(simulation);
+    watch_ = std::make_unique<Watch>(simulation);
+  }
 
  private:
   void loop(Simulation& simulation, SnapshotWriter& snapshots) {
@@ -123,6 +128,7 @@ class Driver {
         auto& limit = limits_[report.limiter];
         limit.smallest = limit.steps == 0 ? report.dt : std::min(limit.smallest, report.dt);
         ++limit.steps;
+        if (watch_->due(simulation) || simulation.steps() == 1 || simulation.time() >= until) watch_->look(simulation);
         progress.update(simulation.time(), simulation.steps(), report.dt, report.limiter);
         if (case_.output.checkpoint_wall_interval > 0 &&
             wall_now() - saved_at >= case_.output.checkpoint_wall_interval) {
@@ -157,7 +163,8 @@ class Driver {
                         {"limits", limits_json(limits_)},
                         {"wall_seconds", wall_before_ + wall_now() - wall_start_},
                         {"cpu_seconds", cpu_before_ + cpu_now() - cpu_start_},
-                        {"momentum_initial", momentum_initial_}};
+                        {"momentum_initial", momentum_initial_},
+                        {"watch", watch_->state()}};
     save_checkpoint(folder_.path(), {meta.dump(), std::move(state.reals), std::move(state.integers)});
   }
 
@@ -172,6 +179,8 @@ class Driver {
     report.failure = failure;
     report.limits = limits_;
     report.momentum_initial = momentum_initial_;
+    report.verdicts = watch_->verdicts();
+    report.verdict_seconds = watch_->seconds();
     report.wall_seconds = wall_before_ + wall_now() - wall_start_ - output_seconds_;
     report.cpu_seconds = cpu_before_ + cpu_now() - cpu_start_;
     report.output_seconds = output_seconds_;
@@ -205,6 +214,7 @@ class Driver {
   Simulation* simulation_ = nullptr;
   std::unique_ptr<Comparison> comparison_;
   InitialState initial_;
+  std::unique_ptr<Watch> watch_;
   std::map<std::string, StepLimit> limits_;
   std::vector<double> momentum_initial_;
   double wall_start_ = 0, cpu_start_ = 0, wall_before_ = 0, cpu_before_ = 0, output_seconds_ = 0;

@@ -225,7 +225,9 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
   record.seconds.list = simulation.evaluator().list_seconds();
   record.seconds.sweeps = simulation.evaluator().sweep_seconds();
   record.seconds.output = report.output_seconds;
-  record.seconds.integrate = std::max(0.0, report.wall_seconds - record.seconds.list - record.seconds.sweeps);
+  record.seconds.verdicts = report.verdict_seconds;
+  record.seconds.integrate =
+      std::max(0.0, report.wall_seconds - record.seconds.list - record.seconds.sweeps - record.seconds.verdicts);
   const auto add = [&](const PluginChoice& choice) {
     const Plugin* plugin = registry.plugin(choice.kind, choice.id);
     if (plugin == nullptr) return;
@@ -249,16 +251,15 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
   };
   for (const auto& choice : scene.plugins) add(choice);
   if (scene.reference) add(scene.reference->plugin);
-  const double imbalance = record.mass.imbalance();
-  record.verdicts.push_back({"mass", fmt::format("mass imbalance {:.2e} of what there was", imbalance),
-                             std::abs(imbalance) <= 1e-10 ? Severity::note : Severity::suspect});
+  record.verdicts = report.verdicts;
   if (record.neighbours && record.neighbours->smallest == 0 && record.particles > 1) {
     record.verdicts.push_back({"lost-neighbours",
                                "some water particle has no neighbour within its support: the depth or density there is "
                                "that of a lone particle, and no force reaches it",
-                               Severity::suspect});
+                               Severity::suspect, 0, 1, record.time});
   }
-  if (!report.failure.empty()) record.verdicts.push_back({"blew-up", report.failure, Severity::failed});
+  if (!report.failure.empty())
+    record.verdicts.push_back({"blew-up", report.failure, Severity::failed, {}, {}, record.time});
   record.status = status_from(record.verdicts);
   record.message = report.failure;
   return record;
@@ -273,7 +274,10 @@ std::string summary(const RunRecord& record, const Case& scene, const RunReport&
                                  record.time, record.steps, record.particles);
   if (!record.message.empty()) text += "  " + record.message + "\n";
   for (const auto& verdict : record.verdicts) {
-    if (verdict.severity == Severity::suspect) text += "  suspect: " + verdict.text + "\n";
+    if (verdict.severity != Severity::suspect) continue;
+    text += "  suspect: " + verdict.text;
+    if (verdict.first_seen) text += fmt::format(" (from t = {:.4g} s)", *verdict.first_seen);
+    text += "\n";
   }
   for (const auto& [field, e] : record.errors) {
     text += fmt::format("  {} against {}: L2 = {:.4g} (eq. 17), L1 = {:.4g}, Linf = {:.4g}\n", field,

@@ -23,8 +23,9 @@ struct RunReport {
   std::string failure;  // empty: it reached its end
   std::map<std::string, StepLimit> limits;
   std::vector<double> momentum_initial;
-  double wall_seconds = 0, cpu_seconds = 0, output_seconds = 0;
+  double wall_seconds = 0, cpu_seconds = 0, output_seconds = 0, verdict_seconds = 0;
   std::string resumed_from;
+  std::vector<Verdict> verdicts;  // of the watch
   std::filesystem::path picture;
 };
 

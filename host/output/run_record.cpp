@@ -98,7 +98,13 @@ Json plugins_of(const RunRecord& record) {
 Json verdicts_of(const RunRecord& record) {
   Json all = Json::array();
   for (const Verdict& v : record.verdicts) {
-    all.push_back({{"name", v.name}, {"severity", name_of(v.severity)}, {"text", v.text}});
+    const auto optional = [](const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); };
+    all.push_back({{"name", v.name},
+                   {"severity", name_of(v.severity)},
+                   {"text", v.text},
+                   {"value", optional(v.value)},
+                   {"bound", optional(v.bound)},
+                   {"first_seen", optional(v.first_seen)}});
   }
   return all;
 }
@@ -163,11 +169,9 @@ Json to_json(const RunRecord& record) {
                           {"largest", record.neighbours->largest}};
   }
   json["bytes_per_particle"] = number(record.bytes_per_particle);
-  json["seconds"] = {{"sort", number(record.seconds.sort)},
-                     {"list", number(record.seconds.list)},
-                     {"sweeps", number(record.seconds.sweeps)},
-                     {"integrate", number(record.seconds.integrate)},
-                     {"output", number(record.seconds.output)}};
+  json["seconds"] = {{"sort", number(record.seconds.sort)},     {"list", number(record.seconds.list)},
+                     {"sweeps", number(record.seconds.sweeps)}, {"integrate", number(record.seconds.integrate)},
+                     {"output", number(record.seconds.output)}, {"verdicts", number(record.seconds.verdicts)}};
   return json;
 }
 

@@ -19,10 +19,12 @@ enum class RunStatus { finished, suspect, failed };
 
 enum class Severity { note, suspect, failed };
 
-// A judgement on the run: "mass-conserved", "energy-grew", ...; `text` is one sentence with the figures.
+// A judgement on the run: "mass", "energy", ...; `text` is one sentence with the figures.
 struct Verdict {
   std::string name, text;
   Severity severity = Severity::note;
+  std::optional<double> value{}, bound{};  // the worst value seen, and what it must not cross
+  std::optional<double> first_seen{};      // s: when it first did
 };
 
 struct MassLedger {  // kg
@@ -52,7 +54,7 @@ struct NeighbourStatistics {
 };
 
 struct PhaseSeconds {  // wall
-  double sort = 0, list = 0, sweeps = 0, integrate = 0, output = 0;
+  double sort = 0, list = 0, sweeps = 0, integrate = 0, output = 0, verdicts = 0;
 };
 
 struct RunRecord {

@@ -68,7 +68,8 @@ void Graph::link() {
     e.rate_is_evolved = rate.evolved;
     e.is_rate_of_evolved =
         std::any_of(evolved_.begin(), evolved_.end(), [&](const GraphEvolved& o) { return o.rate == e.field; });
-    if (rate.evolved) {
+    // Particles of all roles are carried along, whoever says how fast: by their velocity, or by what a boundary wrote.
+    if (rate.evolved || e.field == field("position")) {
       e.roles = RIFFLE_ALL_ROLES & ~RIFFLE_PROBE;
     } else {
       for (const int w : rate.writers) e.roles |= nodes_[static_cast<std::size_t>(w)].targets;

@@ -72,9 +72,24 @@ double Boundaries::inside() const {
   return static_cast<double>(sum);
 }
 
+bool Boundaries::exchanges() const {
+  return graph_.conserved() >= 0 && graph_.fields()[static_cast<std::size_t>(graph_.conserved())].evolved &&
+         store_.owned() > store_.role_begin(1);
+}
+
+void Boundaries::enter_exchange(double before) {
+  if (!exchanges()) return;
+  const double change = inside() - before;
+  if (change > 0)
+    ledger_.enter(change);
+  else
+    ledger_.leave(-change);
+}
+
 void Boundaries::begin(double time) {
   call(Call::begin, time, 0, nullptr);
-  ledger_ = {inside(), 0, 0};
+  ledger_ = Ledger{};
+  ledger_.initial = inside();
 }
 
 bool Boundaries::edit(double time, double dt) {
@@ -87,7 +102,6 @@ void Boundaries::images(std::vector<Image>& images) {
 
 bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* images) {
   bool edited = false;
-  if (which == Call::images) neighbourhood_->reach(reach_);
   for (std::size_t p = 0; p < graph_.plugins().size(); ++p) {
     const ActivePlugin& plugin = graph_.plugins()[p];
     const auto function = which == Call::begin  ? plugin.table->begin
@@ -110,7 +124,8 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
     editor.state = state_[p].data();
     editor.context = &context;
     editor.role = roles_.data();
-    editor.reach = which == Call::images ? reach_.data() : nullptr;
+    if (store_.find("smoothing_length") != nullptr) neighbourhood_->reach(reach_);
+    editor.reach = reach_.data();
     editor.read = [](void* c, const char* name, std::int32_t component) noexcept -> const double* {
       const Field* field = context_of<Context>(c).store->find(name);
       if (field == nullptr || component < 0 || static_cast<std::size_t>(component) >= field->component.size())
@@ -199,7 +214,10 @@ void Boundaries::enter_changes(const Context& context) {
   for (std::size_t i = 0; i < context.amounts.size(); ++i) {
     if (roles_[i] != RIFFLE_FLUID) continue;
     const double change = amount[i] - context.amounts[i];
-    (change > 0 ? ledger_.in : ledger_.out) += std::abs(change);
+    if (change > 0)
+      ledger_.enter(change);
+    else
+      ledger_.leave(-change);
   }
 }
 
@@ -217,12 +235,19 @@ void Boundaries::apply(Context& context) {
     const std::uint32_t role = tag != context.retagged.end() ? tag->second : before(i);
     const bool was_water = before(i) == RIFFLE_FLUID;
     const bool is_water = context.removed[k] == 0 && role == RIFFLE_FLUID;
-    if (amount != nullptr && is_water && !was_water) ledger_.in += amount[i];
-    if (amount != nullptr && was_water && !is_water) ledger_.out += amount[i];
+    if (amount != nullptr && is_water && !was_water) ledger_.enter(amount[i]);
+    if (amount != nullptr && was_water && !is_water) ledger_.leave(amount[i]);
     if (context.removed[k] == 0) by_role[static_cast<std::size_t>(role_index(role))].push_back(i);
   }
   std::vector<std::int64_t> ids = store_.ids();
   for (std::int64_t a = 0; a < context.added; ++a) ids.push_back(next_id_++);
+  if (store_.dim() == 1) {  // they stand in order of x but for those that just came
+    const double* x = store_.data("position");
+    for (auto& list : by_role) {
+      const auto before = [x](std::int64_t a, std::int64_t b) { return x[a] < x[b]; };
+      if (!std::is_sorted(list.begin(), list.end(), before)) std::stable_sort(list.begin(), list.end(), before);
+    }
+  }
   std::vector<std::int64_t> order;
   std::array<std::int64_t, role_count> counts{};
   for (std::size_t r = 0; r < role_count; ++r) {

@@ -11,6 +11,16 @@ namespace riffle {
 
 struct Ledger {  // in the unit of the conserved field, water alone
   double initial = 0, in = 0, out = 0;
+  double in_rest = 0, out_rest = 0;  // what rounding has cut off: millions of small amounts still close to round-off
+
+  void enter(double amount) { add(in, in_rest, amount); }
+  void leave(double amount) { add(out, out_rest, amount); }
+
+  static void add(double& sum, double& rest, double amount) {  // Kahan (1965)
+    const double y = amount + rest, t = sum + y;
+    rest = y - (t - sum);
+    sum = t;
+  }
 };
 
 class Boundaries {
@@ -24,6 +34,10 @@ class Boundaries {
   [[nodiscard]] const Ledger& ledger() const { return ledger_; }
   [[nodiscard]] Ledger& ledger() { return ledger_; }
   [[nodiscard]] double inside() const;  // conserved amount in the water
+  // Where fluxes carry the conserved amount, it may pass to and from buffers within a step, and no particle with it: the
+  // net amount goes into the ledger. Around the integrator's step.
+  [[nodiscard]] double inside_before_exchange() const { return exchanges() ? inside() : 0; }
+  void enter_exchange(double before);
   [[nodiscard]] std::vector<double>& state(std::size_t plugin) { return state_[plugin]; }
   void particles_replaced() { roles_changed_ = true; }  // by those of a checkpoint
   [[nodiscard]] std::int64_t& next_id() { return next_id_; }
@@ -35,6 +49,7 @@ class Boundaries {
   void apply(Context& context);
   void update_roles();
   void enter_changes(const Context& context);
+  [[nodiscard]] bool exchanges() const;
 
   const Graph& graph_;
   ParticleStore& store_;

@@ -82,7 +82,9 @@ void Simulation::create_plugins(const Registry& registry) {
   if (!broken.empty()) throw ScheduleError(broken);
   active.push_back(terrain_fields_->as_plugin());
   active.push_back(host_fields_.plugin(case_.dimension));
-  graph_ = std::make_unique<Graph>(case_.dimension, active, given, case_.output.fields);
+  std::vector<std::string> wanted = case_.output.fields;
+  if (terrain_->services().has_bed != 0) wanted.emplace_back("smoothed_bed_level");  // the energy of water stands on it
+  graph_ = std::make_unique<Graph>(case_.dimension, active, given, wanted);
   require_that_terrain_is_used();
 }
 
@@ -195,7 +197,9 @@ StepReport Simulation::step(double until) {
     throw RunError("the time step of " + std::to_string(report.dt) + " s, limited by " + report.limiter +
                    ", no longer advances the time");
   const double end = reaches ? until : time_ + report.dt;
+  const double before = boundaries_->inside_before_exchange();
   integrator_->step(*evaluator_, time_, report.dt, end);
+  boundaries_->enter_exchange(before);
   time_ = end;
   last_dt_ = report.dt;
   ++steps_;
@@ -268,6 +272,14 @@ SimulationState Simulation::state() const {
       s.reals["field." + name + "." + std::to_string(c)].assign(values, values + n);
     }
   }
+  // Particles other than water hold what their boundaries wrote: no pass makes it again.
+  const auto water = store_.role_begin(1), others = store_.owned() - water;
+  for (const auto& [name, field] : store_.fields()) {
+    for (std::size_t c = 0; c < field->component.size() && others > 0; ++c) {
+      const double* values = field->component[c].data() + water;
+      s.reals["others." + name + "." + std::to_string(c)].assign(values, values + others);
+    }
+  }
   s.integers["ids"] = store_.ids();
   auto& roles = s.integers["particles_per_role"];
   for (int r = 0; r < role_count; ++r) roles.push_back(store_.role_begin(r + 1) - store_.role_begin(r));
@@ -280,7 +292,7 @@ SimulationState Simulation::state() const {
   }
   const Ledger& ledger = boundaries_->ledger();
   s.reals["time"] = {time_, last_dt_};
-  s.reals["ledger"] = {ledger.initial, ledger.in, ledger.out};
+  s.reals["ledger"] = {ledger.initial, ledger.in, ledger.out, ledger.in_rest, ledger.out_rest};
   s.integers["counters"] = {steps_, particle_steps_, lists.builds, boundaries_->next_id()};
   s.integers["history"] = evaluator_->history();
   s.integers["integrator"] = {integrator_->carrying() ? 1 : 0};
@@ -320,6 +332,12 @@ void Simulation::restore(const SimulationState& s) {
       std::copy(values.begin(), values.end(), field.component[c].data());
     }
   }
+  for (const auto& [name, field] : store_.fields()) {
+    for (std::size_t c = 0; c < field->component.size() && store_.owned() > store_.role_begin(1); ++c) {
+      const auto& values = reals("others." + name + "." + std::to_string(c));
+      std::copy(values.begin(), values.end(), field->component[c].data() + store_.role_begin(1));
+    }
+  }
   for (std::size_t p = 0; p < graph_->plugins().size(); ++p) {
     auto& numbers = boundaries_->state(p);
     if (numbers.empty()) continue;
@@ -332,7 +350,8 @@ void Simulation::restore(const SimulationState& s) {
   const auto& counters = integers("counters");
   time_ = reals("time").at(0);
   last_dt_ = reals("time").at(1);
-  boundaries_->ledger() = {reals("ledger").at(0), reals("ledger").at(1), reals("ledger").at(2)};
+  const auto& ledger = reals("ledger");
+  boundaries_->ledger() = {ledger.at(0), ledger.at(1), ledger.at(2), ledger.at(3), ledger.at(4)};
   steps_ = counters.at(0);
   particle_steps_ = counters.at(1);
   boundaries_->next_id() = counters.at(3);

@@ -272,7 +272,7 @@ typedef struct riffle_editor {
   double time, dt;
   double *state; /* the plugin's own numbers (riffle_plugin.state_size), kept in checkpoints */
   void *context;
-  const double *reach; /* [count] how far each particle must see, skin included; NULL but in `images` */
+  const double *reach; /* [count] how far each particle sees, skin of the lists included                */
   const uint32_t *role;                                                                       /* [count] */
   const double *(*read)(void *context, const char *field, int32_t component) RIFFLE_NOEXCEPT; /* NULL if absent */
   double *(*write)(void *context, const char *field, int32_t component) RIFFLE_NOEXCEPT;      /* NULL if absent */
