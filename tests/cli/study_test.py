@@ -187,7 +187,7 @@ class Compare(Scene):
                 (self.home / source.name).write_text(head + "pictures = false\n[resolution]" + tail)
                 self.riffle("compare", source.name, "--out", source.stem, "--quiet")
                 rows = self.rows(source.stem)
-                self.assertEqual({r["state"] for r in rows}, {"finished"})
+                self.assertLessEqual({r["state"] for r in rows}, {"finished", "suspect"})  # without viscosity: suspect
                 self.assertTrue(all(float(r["cpu_seconds"]) > 0 for r in rows))
 
 
