@@ -42,6 +42,27 @@ std::vector<Loaded> load() {
   return found;
 }
 
+// A scene of one metre, without bed and a metre wide.
+const riffle_services& flat_metre() {
+  static const riffle_services scene = [] {
+    riffle_services s{};
+    s.size = sizeof s;
+    std::fill_n(s.high, 3, 1.0);
+    s.bed = [](const void*, std::int64_t n, const double*, const double*, double* level, double* slope_x,
+               double* slope_y) noexcept {
+      for (double* out : {level, slope_x, slope_y}) {
+        if (out != nullptr) std::fill_n(out, n, 0.0);
+      }
+    };
+    s.width = [](const void*, std::int64_t n, const double*, double* width, double* slope) noexcept {
+      std::fill_n(width, n, 1.0);
+      if (slope != nullptr) std::fill_n(slope, n, 0.0);
+    };
+    return s;
+  }();
+  return scene;
+}
+
 }  // namespace
 
 const std::vector<Loaded>& all_plugins() {
@@ -97,6 +118,8 @@ Instance::Instance(const riffle_plugin& plugin, int dim, const std::map<std::str
   riffle_error error{sizeof(riffle_error), {}};
   self_ = plugin.create(dim, pointers.data(), &error);
   if (self_ == nullptr) throw Refused(error.message);
+  if (plugin.connect != nullptr && plugin.connect(self_, &flat_metre(), &error) != RIFFLE_OK)
+    throw Refused(error.message);
 }
 
 Instance::~Instance() {
