@@ -71,6 +71,12 @@ struct ChannelWidth {
   static void run(const TerrainFields& t, const Block& b) { t.terrain().width(b.size(), b.in(0), b.out(0), b.out(1)); }
 };
 
+// For initial passes, such as one that makes a volume of depth and width.
+struct InitialWidth : ChannelWidth {
+  static constexpr auto pass_name = "channel width at t = 0";
+  static constexpr std::uint32_t pass_flags = RIFFLE_INITIAL;
+};
+
 template <class... Pass>
 const riffle_plugin* table_of() {
   static constexpr std::array<const riffle_pass*, sizeof...(Pass) + 1> passes{
@@ -101,11 +107,12 @@ ActivePlugin TerrainFields::as_plugin() const {
   const bool smooth = kernel_ != nullptr && scene_.dimension == 1;
   const riffle_plugin* table =
       terrain_.has_bed() && terrain_.has_width()
-          ? (smooth ? table_of<BedLevel, BedSlope, SmoothedBedLevel, SmoothedBedSlope, WaterLevel, ChannelWidth>()
-                    : table_of<BedLevel, BedSlope, WaterLevel, ChannelWidth>())
+          ? (smooth ? table_of<BedLevel, BedSlope, SmoothedBedLevel, SmoothedBedSlope, WaterLevel, ChannelWidth,
+                               InitialWidth>()
+                    : table_of<BedLevel, BedSlope, WaterLevel, ChannelWidth, InitialWidth>())
       : terrain_.has_bed()   ? (smooth ? table_of<BedLevel, BedSlope, SmoothedBedLevel, SmoothedBedSlope, WaterLevel>()
                                        : table_of<BedLevel, BedSlope, WaterLevel>())
-      : terrain_.has_width() ? table_of<ChannelWidth>()
+      : terrain_.has_width() ? table_of<ChannelWidth, InitialWidth>()
                              : table_of<>();
   return {"host", "host", "host", table, this, {}, true};
 }

@@ -14,7 +14,7 @@
 //
 // Bed: both states are brought to the higher of the two beds, either at rest ("hydrostatic", Audusse et al. 2004: water
 // at rest stays so wherever the particles are) or along the flow with its head ("energy": steady flow over a step stays
-// so too); see riffle/shallow_faces.hpp. The bed's push on a particle is what its own side gains or loses on that way.
+// so too); see riffle/shallow_faces.hpp and riffle/shallow_exchange.hpp. The bed's push on a particle is what its own side gains or loses on that way.
 // Width: fluxes are multiplied by the width at the face, the mean of the two particles', and the walls push back with the
 // pressure of either side, so that still water in a channel of any width stays still.
 //
@@ -24,8 +24,7 @@
 #include <cmath>
 #include <riffle/limiters.hpp>
 #include <riffle/sdk.hpp>
-#include <riffle/shallow_faces.hpp>
-#include <riffle/shallow_riemann.hpp>
+#include <riffle/shallow_exchange.hpp>
 
 namespace f = riffle::fields;
 
@@ -43,8 +42,13 @@ constexpr riffle_field renormalisation =
     riffle::scalar_field("renormalisation", "1", "B: factor that makes gradients by SPH right for linear fields");
 constexpr riffle_field level_slope =
     riffle::vector_field("level_slope", "1", "gradient of the water level by SPH, not renormalised");
-constexpr riffle_field velocity_slope =
-    riffle::vector_field("velocity_slope", "s-1", "gradient of the velocity by SPH, not renormalised");
+constexpr riffle_field velocity_slope{sizeof(riffle_field),
+                                      RIFFLE_TENSOR,
+                                      0,
+                                      0,
+                                      "velocity_slope",
+                                      "s-1",
+                                      "gradient of the velocity by SPH, not renormalised"};
 constexpr riffle_field bed_rise =
     riffle::vector_field("bed_rise", "1", "gradient of the bed level by SPH, not renormalised");
 constexpr riffle_field left_spacing =
@@ -67,7 +71,7 @@ struct SweAle {
                      "what is kept over a jump of the bed: the head of the flow, or only water at rest"),
       riffle::choice("limiter", riffle::limiter_choices, "van-leer", "slope limiter of the reconstruction"),
       riffle::real("dry_depth", "m", 1e-8, 0, 1, "water below this depth has no velocity", RIFFLE_ABOVE_MIN),
-      riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity"),
+      riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN),
       riffle::inherited("smoothing_ratio", "1", "domain.smoothing_ratio", 0.5, 10,
                         "eta: smoothing length over the particle's length; 0.8 to 1.3, best 1"),
       riffle::real("reference_width", "m", 1, 0, 1e6, "width of the channel that volumes are counted for",
@@ -93,7 +97,7 @@ struct SweAle {
     static void run(const SweAle& s, const riffle::Block& b) {
       for (std::int64_t k = 0; k < b.size(); ++k) {
         b.out(0)[k] = b.in(0)[k];
-        b.out(1)[k] = b.in(0)[k] * b.in(1)[k] * (b.has(3) ? b.in(3)[k] / s.reference_width : 1.0);
+        b.out(1)[k] = b.in(0)[k] * b.in(1)[k] * (b.has(3) ? b.in(3)[k] / s.rules.reference_width : 1.0);
         b.out(2)[k] = b.has(2) ? b.out(1)[k] * b.in(2)[k] : 0.0;
       }
     }
@@ -124,14 +128,14 @@ struct SweAle {
       double *depth = b.out(0), *velocity = b.out(1), *c = b.out(2);
       if (b.has(3)) {
         const double* width = b.in(3);
-        RIFFLE_EACH(k, b) depth[k] = volume[k] * s.reference_width / (extent[k] * width[k]);
+        RIFFLE_EACH(k, b) depth[k] = volume[k] * s.rules.reference_width / (extent[k] * width[k]);
       } else {
         RIFFLE_EACH(k, b) depth[k] = volume[k] / extent[k];
       }
       RIFFLE_EACH(k, b) {
         const double h = depth[k];
-        velocity[k] = h > s.dry_depth ? momentum[k] / volume[k] : 0.0;
-        c[k] = std::sqrt(s.gravity * h);
+        velocity[k] = h > s.rules.dry_depth ? momentum[k] / volume[k] : 0.0;
+        c[k] = std::sqrt(s.rules.gravity * h);
       }
     }
   };
@@ -296,62 +300,27 @@ struct SweAle {
                                             riffle::at_j(f::channel_width, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::sum(volume_rate), riffle::sum(momentum_rate)};
     static void run(const SweAle& s, const riffle::Block& b) {
-      const bool bed = b.has(15), width = b.has(19);
-      const riffle::ShallowPairs pairs{
-          b.in(0), b.in(7),  b.in(8),  b.in(9),  b.in(10), bed ? b.in(15) : nullptr, bed ? b.in(16) : nullptr, b.in(5),
-          b.in(6), b.in(11), b.in(12), b.in(13), b.in(14), bed ? b.in(17) : nullptr, bed ? b.in(18) : nullptr};
+      const auto optional = [&](int k) { return b.has(k) ? b.in(k) : nullptr; };
+      const riffle::ShallowPairs pairs{b.in(0),      b.in(7),      b.in(8),  b.in(9),      b.in(10),
+                                       optional(15), optional(16), b.in(5),  b.in(6),      b.in(11),
+                                       b.in(12),     b.in(13),     b.in(14), optional(17), optional(18)};
+      const riffle::PairWeights weights{b.in(1), b.in(2), b.in(3), b.in(4), optional(19), optional(20)};
       riffle::with_limiter(s.limiter, [&](auto limiter) {
         riffle::ShallowFaces faces;
         for (std::int64_t first = 0; first < b.size(); first += faces.capacity) {
           const std::int64_t left = b.size() - first, n = left < faces.capacity ? left : faces.capacity;
-          if (!bed) {
+          double *volume = b.out(0) + first, *momentum = b.out(1) + first;
+          if (pairs.b_i != nullptr) {
+            riffle::reconstruct<true>(pairs, first, n, limiter, faces);
+            s.rules.keeps_head ? riffle::head_to_common_bed(s.rules.gravity, n, faces)
+                               : riffle::still_water_to_common_bed(n, faces);
+            riffle::exchange<true>(s.rules, pairs, weights, first, n, faces, volume, momentum);
+          } else {
             riffle::reconstruct<false>(pairs, first, n, limiter, faces);
-            width ? exchange<false, true>(s, b, first, n, faces) : exchange<false, false>(s, b, first, n, faces);
-            continue;
+            riffle::exchange<false>(s.rules, pairs, weights, first, n, faces, volume, momentum);
           }
-          riffle::reconstruct<true>(pairs, first, n, limiter, faces);
-          s.keeps_head ? riffle::head_to_common_bed(s.gravity, n, faces) : riffle::still_water_to_common_bed(n, faces);
-          width ? exchange<true, true>(s, b, first, n, faces) : exchange<true, false>(s, b, first, n, faces);
         }
       });
-    }
-
-    template <bool with_bed, bool with_width>
-    static void exchange(const SweAle& s, const riffle::Block& b, std::int64_t first, std::int64_t n,
-                         const riffle::ShallowFaces& faces) {
-      const double *dx = b.in(0) + first, *gradient_i = b.in(1) + first, *gradient_j = b.in(2) + first;
-      const double *extent_i = b.in(3) + first, *extent_j = b.in(4) + first, *factor_i = b.in(5) + first;
-      const double *factor_j = b.in(6) + first, *h_i = b.in(7) + first, *u_i = b.in(9) + first, *u_j = b.in(10) + first;
-      const double *width_i = with_width ? b.in(19) + first : h_i, *width_j = with_width ? b.in(20) + first : h_i;
-      double *volume = b.out(0) + first, *momentum = b.out(1) + first;
-      const auto &left = faces.left, &right = faces.right;
-      const double *h_left = with_bed ? left.h_star : left.h, *u_left = with_bed ? left.u_star : left.u;
-      const double *h_right = with_bed ? right.h_star : right.h, *u_right = with_bed ? right.u_star : right.u;
-      const double g = s.gravity, dry = s.dry_depth, moving = s.moving ? 0.5 : 0.0;
-      const double head = with_bed && s.keeps_head ? 1.0 : 0.0, per_width = 1 / s.reference_width;
-#pragma omp simd
-      for (std::int64_t k = 0; k < n; ++k) {
-        const double w = moving * (u_i[k] + u_j[k]);
-        const bool i_is_left = dx[k] < 0;
-        const double own = i_is_left ? h_left[k] : h_right[k], still = with_bed || with_width ? own : 0.0;
-        const auto flux = riffle::hll_flux(g, {h_left[k], u_left[k]}, {h_right[k], u_right[k]}, w, still, dry);
-        const double by_i = factor_i[k] * gradient_i[k], by_j = factor_j[k] > 0 ? factor_j[k] * gradient_j[k] : by_i;
-        double face = extent_i[k] * extent_j[k] * (by_i + by_j) * dx[k];
-        double thrust = 0, bend = 0;  // of the way from the particle to the face, and at the face
-        if (with_bed || with_width) {
-          const double h = i_is_left ? left.h[k] : right.h[k], u = i_is_left ? left.u[k] : right.u[k];
-          const double u_star = i_is_left ? u_left[k] : u_right[k];
-          thrust = 0.5 * g * (h + h_i[k]) * faces.rise[k];
-          bend = head * (h * u * (u - w) - own * u_star * (u_star - w));
-        }
-        if (with_width) {
-          const double width = 0.5 * (width_i[k] + width_j[k]);  // of the face
-          thrust *= 0.5 * (width_i[k] + width) / width;
-          face *= width * per_width;
-        }
-        volume[k] = -face * flux.volume;
-        momentum[k] = -face * (flux.momentum + bend + thrust);
-      }
     }
   };
   using passes = riffle::Passes<Start, StandStill, State, Move, Support, Spacings, Slopes, BedRise, Measure,
@@ -363,7 +332,7 @@ struct SweAle {
                                             riffle::at_i(f::wave_speed)};
     static double limit(const SweAle& s, const riffle::Block& b) {
       const double *extent = b.in(0), *u = b.in(1), *c = b.in(2);
-      const double through = s.moving ? 0.0 : 1.0;
+      const double through = s.rules.moving ? 0.0 : 1.0;
       double least = riffle::infinity;
       RIFFLE_EACH_LEAST(k, b, least) {
         const double speed = c[k] + through * std::abs(u[k]);
@@ -384,16 +353,13 @@ struct SweAle {
   }
 
   explicit SweAle(const riffle::Values& v)
-      : gravity(v.number("gravity")),
+      : rules{v.number("gravity"), v.number("dry_depth"), v.number("reference_width"), v.word("motion") == "lagrangian",
+              v.word("bed") == "energy"},
         smoothing_ratio(v.number("smoothing_ratio")),
-        dry_depth(v.number("dry_depth")),
-        reference_width(v.number("reference_width")),
-        limiter(riffle::limiter_of(v.word("limiter"))),
-        moving(v.word("motion") == "lagrangian"),
-        keeps_head(v.word("bed") == "energy") {}
-  double gravity, smoothing_ratio, dry_depth, reference_width;
+        limiter(riffle::limiter_of(v.word("limiter"))) {}
+  riffle::ExchangeRules rules;
+  double smoothing_ratio;
   riffle::Limiter limiter;
-  bool moving, keeps_head;
 };
 
 RIFFLE_PLUGIN(SweAle)

@@ -46,6 +46,24 @@ class Ale(Scene):
                                        "initial.level=0.1", "reference.level=0.1")
                 self.assertLessEqual(max(abs(r["velocity"]) for r in rows), 1e-12)
 
+    def test_a_lake_in_a_channel_of_varying_width_stays_at_rest(self):
+        # a width that the walls must push back at every particle, by 60 % over 2 m
+        for motion in ("lagrangian", "fixed"):
+            with self.subTest(motion=motion):
+                record, rows = self.compute("lake-at-rest/hump-perturbed", f"plugins.equations.motion={motion}",
+                                            "plugins.width.id=profile", "plugins.width.width=2 - 1.2*exp(-(x - 4)^2)")
+                self.assertLessEqual(max(abs(r["velocity"]) for r in rows), 1e-12)
+                self.assertLessEqual(record["errors"]["depth"]["linf"], 1e-13)
+
+    def test_a_wave_between_walls_keeps_the_water_in_a_channel_of_any_width_and_bed(self):
+        # two seconds let the wave meet both walls; round-off of 400 particles and 1000 steps
+        for motion in ("lagrangian", "fixed"):
+            with self.subTest(motion=motion):
+                record, _ = self.compute("lake-at-rest/hump", f"plugins.equations.motion={motion}", "time.end=4",
+                                         "plugins.width.id=profile", "plugins.width.width=2 - 1.2*exp(-(x - 4)^2)",
+                                         "initial.level=x < 3 ? 0.6 : 0.4")
+                self.assertLessEqual(abs(record["ledger"]["mass"]["imbalance"]), 1e-13)
+
     def test_mass_and_on_a_flat_bed_momentum_are_kept_to_round_off(self):
         # the walls push with the pressure of still water, g h^2 / 2 on either side, until a wave arrives; 1e-13 is some
         # hundred times the round-off of 500 particles and 1000 steps (2^-53 sqrt(5e5))
