@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", riffle::riffle_version());
   int code = 0;
   riffle::add_run(app, code);
+  riffle::add_compare(app, code);
   riffle::add_list(app, code);
   riffle::add_describe(app, code);
   riffle::add_explain(app, code);

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <tuple>
@@ -26,6 +27,7 @@ TomlNode convert(const toml::node& from, const std::string& source, const std::v
   TomlNode node;
   node.place = place_of(from.source(), source);
   if (const auto* table = from.as_table()) {
+    node.in_braces = table->is_inline();
     for (const auto& [key, value] : *table) {
       node.entries.push_back({std::string(key.str()), place_of(key.source(), source), convert(value, source, lines)});
     }
@@ -55,6 +57,16 @@ TomlNode convert(const toml::node& from, const std::string& source, const std::v
     node.type = TomlNode::Type::date;
   }
   return node;
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    out += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return out + '"';
 }
 
 std::vector<std::string> split_lines(const std::string& text) {
@@ -101,6 +113,31 @@ std::string TomlNode::shown() const {
   std::replace(line.begin(), line.end(), '\n', ' ');
   if (line.size() > enough) line = line.substr(0, enough) + "...";
   return '"' + line + '"';
+}
+
+std::string TomlNode::as_toml() const {
+  std::vector<std::string> parts;
+  switch (type) {
+    case Type::boolean: return boolean ? "true" : "false";
+    case Type::integer: return fmt::format("{}", integer);
+    case Type::real: {
+      const std::string shortest = fmt::format("{}", number);
+      const bool whole = shortest.find_first_not_of("-0123456789") == std::string::npos;
+      return whole ? shortest + ".0" : shortest;
+    }
+    case Type::text: return quoted(text);
+    case Type::date: return text;
+    case Type::array:
+      for (const TomlNode& item : items) parts.push_back(item.as_toml());
+      return fmt::format("[{}]", fmt::join(parts, ", "));
+    case Type::table: break;
+  }
+  for (const TomlEntry& entry : entries) {
+    const bool bare = std::all_of(entry.key.begin(), entry.key.end(),
+                                  [](char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
+    parts.push_back(fmt::format("{} = {}", bare ? entry.key : quoted(entry.key), entry.value.as_toml()));
+  }
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }
 
 SourcePlace TomlNode::character(std::size_t k) const {

@@ -23,6 +23,7 @@ struct TomlNode {
   double number = 0;        // of an integer or real
   std::int64_t integer = 0;
   bool boolean = false;
+  bool in_braces = false;          // of a table: written as { ... }, so that it is one value
   std::vector<TomlNode> items;     // of an array
   std::vector<TomlEntry> entries;  // of a table, in the order of the file, those new from --set last
 
@@ -37,6 +38,8 @@ struct TomlNode {
 
   // As one would write it: 5, "five", true, "an array", "a table".
   [[nodiscard]] std::string shown() const;
+  // As TOML that reads back to the same value, for --set: 5, "five", [0, 1], { x = [1], values = [2, 3] }.
+  [[nodiscard]] std::string as_toml() const;
   // Where character k of a text stands.
   [[nodiscard]] SourcePlace character(std::size_t k) const;
 };

@@ -122,7 +122,8 @@ std::vector<ManifestKey> make_keys() {
       optional(above_min(real("time", "step", "s", 0, none, "fixed time step, instead of the limits"))),
       real("time", "max_step", "s", 0, none, "longest time step; 0: no such limit"),
       integer("time", "max_steps", 0, largest_integer, "the run ends after so many steps; 0: no such limit"),
-      choice("time", "integrator", {"leap-frog", "semi-implicit-euler", "predictor-corrector"},
+      choice("time", "integrator",
+             {"leap-frog", "semi-implicit-euler", "predictor-corrector", "predictor-verlet", "ssp-rk2", "ssp-rk3"},
              "the equation set's first one when it does not work with the default"),
       choice("time", "drag", {"implicit", "explicit"}, "how drag rates are applied; implicit is always stable"),
 

@@ -12,7 +12,7 @@ namespace riffle {
 
 namespace {
 
-constexpr std::int64_t particles_per_part = 4096;
+constexpr std::int64_t line_particles_per_part = 4096;
 
 void sort_sources(const ParticleView& particles, std::uint32_t sources, double factor, Line& line) {
   const auto all = static_cast<std::size_t>(particles.all);
@@ -189,12 +189,12 @@ void search_line(const ParticleView& particles, double factor, const NeighbourRe
   sort_sources(particles, request.sources, factor, work.line);
   if (uniform_reach(particles) || request.reach == Reach::gather) {
     measure_windows(work.line);
-    collect(particles, request.targets, particles_per_part, OwnReachSearch(particles, factor, work.line), work.collect,
-            out);
+    collect(particles, request.targets, line_particles_per_part, OwnReachSearch(particles, factor, work.line),
+            work.collect, out);
   } else {
     measure_reaches(work.line);
     const bool either = request.reach == Reach::either;
-    collect(particles, request.targets, particles_per_part, TheirReachSearch(particles, factor, either, work.line),
+    collect(particles, request.targets, line_particles_per_part, TheirReachSearch(particles, factor, either, work.line),
             work.collect, out);
   }
 }

@@ -80,6 +80,7 @@ void check_evolved(const riffle_plugin& plugin, Problems& problems) {
     const bool usable =
         check_field(evolved->field, "evolved", problems) && check_field(evolved->rate, "evolved", problems);
     if (!usable) continue;
+    check_condition(plugin, evolved->when, fmt::format("evolved field \"{}\"", evolved->field->name), problems);
     const auto unit = parse_unit(evolved->field->unit), rate = parse_unit(evolved->rate->unit);
     const Unit per_second = parse_unit("s-1").value();
     if (evolved->field->shape != evolved->rate->shape || (unit && rate && *unit * per_second != *rate)) {

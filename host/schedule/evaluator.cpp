@@ -207,19 +207,50 @@ void Evaluator::run(const Plan& plan, double time, double dt) {
     while (end < plan.sweeps.size() && plan.sweeps[end].iteration == iteration) ++end;
     const Iteration& it = graph_.iterations()[static_cast<std::size_t>(iteration)];
     const bool judged = it.residual >= 0 && !graph_.fields()[static_cast<std::size_t>(it.residual)].writers.empty();
+    // Where no particle looks at what the iteration makes of its neighbours, those that have converged may rest.
+    const bool each_alone = judged && converges_alone(plan, s, end);
+    std::vector<Span> left;
     for (std::int64_t k = 0; k < std::max<std::int64_t>(1, judged ? it.maximum : 1); ++k) {
-      for (std::size_t q = s; q < end; ++q) run_sweep(plan, q, time, dt);
+      for (std::size_t q = s; q < end; ++q) run_sweep(plan, q, time, dt, k > 0 && each_alone ? &left : nullptr);
       if (!judged) break;
-      const double* residual = store_.data(graph_.name(it.residual));
-      double largest = 0;
-      for (std::int64_t i = 0; i < store_.owned(); ++i) largest = std::max(largest, std::abs(residual[i]));
-      if (largest <= it.tolerance) break;
+      left = unconverged(store_.data(graph_.name(it.residual)), it.tolerance);
+      if (left.empty()) break;
     }
     s = end;
   }
 }
 
-void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, double dt) {
+bool Evaluator::converges_alone(const Plan& plan, std::size_t first, std::size_t last) const {
+  std::vector<int> read, written;
+  for (std::size_t s = first; s < last; ++s) {
+    if (plan.sweeps[s].global >= 0) return false;
+    for (const int n : plan.sweeps[s].nodes) {
+      for (const int f : graph_.particle_reads(n, true)) read.push_back(f);
+      for (const auto& w : graph_.nodes()[static_cast<std::size_t>(n)].writes) written.push_back(w.field);
+    }
+  }
+  return std::none_of(written.begin(), written.end(),
+                      [&](int f) { return std::find(read.begin(), read.end(), f) != read.end(); });
+}
+
+// Groups of particles, always the same ones whatever the chunks, in which some residual is above the tolerance.
+std::vector<Span> Evaluator::unconverged(const double* residual, double tolerance) const {
+  constexpr std::int64_t together = 128;
+  std::vector<Span> left;
+  for (int role = 0; role < role_count; ++role) {
+    for (std::int64_t i = store_.role_begin(role); i < store_.role_begin(role + 1); i += together) {
+      const std::int64_t end = std::min(i + together, store_.role_begin(role + 1));
+      double largest = 0;
+#pragma omp simd reduction(max : largest)
+      for (std::int64_t k = i; k < end; ++k)
+        largest = std::abs(residual[k]) > largest ? std::abs(residual[k]) : largest;
+      if (largest > tolerance) left.push_back({i, end, 1u << role});
+    }
+  }
+  return left;
+}
+
+void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, double dt, const std::vector<Span>* only) {
   const Sweep& sweep = plan.sweeps[index];
   const double start = now();
   bool pairs = !sweep.groups.empty();
@@ -229,6 +260,8 @@ void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, doub
                         graph_.fields()[static_cast<std::size_t>(read.field)].pair_source != PairSource::none);
     }
   }
+  // A global pass may look at images, which are made with the lists.
+  pairs = pairs || (sweep.global >= 0 && smoothing_length_ >= 0 && store_.find("smoothing_length") != nullptr);
   if (pairs && !lists_current_) {
     if (neighbourhood_.prepare()) std::fill(images_current_.begin(), images_current_.end(), 0);
     lists_current_ = true;
@@ -251,14 +284,17 @@ void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, doub
   }
   const double prepared = now();
   list_seconds_ += prepared - start;
-  runner_.run(plan, index, neighbourhood_, neighbourhood_.images(), time, dt);
+  runner_.run(plan, index, neighbourhood_, neighbourhood_.images(), time, dt, only);
   for (const int n : sweep.nodes) {
     for (const auto& w : graph_.nodes()[static_cast<std::size_t>(n)].writes) {
       images_current_[static_cast<std::size_t>(w.field)] = 0;
       if (w.field == smoothing_length_) lists_current_ = false;
     }
   }
-  if (!sweep.groups.empty()) evaluations_ += store_.owned();
+  if (!sweep.groups.empty() && only == nullptr) evaluations_ += store_.owned();
+  if (!sweep.groups.empty() && only != nullptr) {
+    for (const Span& span : *only) evaluations_ += span.last - span.first;
+  }
   sweep_seconds_ += now() - prepared;
 }
 

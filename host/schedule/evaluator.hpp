@@ -53,7 +53,9 @@ class Evaluator {
 
  private:
   void run(const Plan& plan, double time, double dt);
-  void run_sweep(const Plan& plan, std::size_t index, double time, double dt);
+  void run_sweep(const Plan& plan, std::size_t index, double time, double dt, const std::vector<Span>* only = nullptr);
+  [[nodiscard]] bool converges_alone(const Plan& plan, std::size_t first, std::size_t last) const;
+  [[nodiscard]] std::vector<Span> unconverged(const double* residual, double tolerance) const;
   const Plan& plan_for(const std::vector<int>& nodes);
   void collect(int field, bool all, std::vector<char>& wanted) const;
   void collect_node(int node, bool all, std::vector<char>& wanted) const;

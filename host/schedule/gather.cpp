@@ -6,18 +6,27 @@ namespace riffle {
 
 namespace {
 
-// Rows a, b, c, d become columns.
-inline void transpose(v4& a, v4& b, v4& c, v4& d) {
-  const v4 ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const v4 cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
-}
-
 inline v4 root4(v4 a) {
   return v4{__builtin_sqrt(a[0]), __builtin_sqrt(a[1]), __builtin_sqrt(a[2]), __builtin_sqrt(a[3])};
+}
+
+// Separation, distance, its square and approach of four pairs. The root is taken here, and not in a loop of its own,
+// because it overlaps with the loads of the next four.
+template <int Dim, bool Approach, int Stride>
+inline void geometry(const v4* xi, const v4* ui, const v4* s, double* w) {
+  v4 dx = xi[0] - s[0], r2 = dx * dx, vr = all4(0.0);
+  store4(w, dx);
+  if constexpr (Approach) vr = (ui[0] - s[Dim]) * dx;
+#pragma GCC unroll 4
+  for (int k = 1; k < Dim; ++k) {
+    dx = xi[k] - s[k];
+    store4(w + k * Stride, dx);
+    r2 += dx * dx;
+    if constexpr (Approach) vr += (ui[k] - s[Dim + k]) * dx;
+  }
+  store4(w + Dim * Stride, root4(r2));
+  store4(w + (Dim + 1) * Stride, r2);
+  if constexpr (Approach) store4(w + (Dim + 2) * Stride, vr);
 }
 
 template <int Dim, bool Approach, int Quads, int Own, int Stride>
@@ -30,7 +39,6 @@ std::int64_t gather_block(const GatherArguments& g) {
   const std::int64_t* begin = g.begin;
   const std::int64_t last = g.last;
   const int own_count = Own >= 0 ? Own : g.own_count;
-  const bool squares = g.squares;
   double* w = g.arena;
   for (std::int64_t i = g.first; i < last; ++i) {
     const double* mine = records + i * record;
@@ -46,6 +54,7 @@ std::int64_t gather_block(const GatherArguments& g) {
       const double* b = records + static_cast<std::int64_t>(j[1]) * record;
       const double* c = records + static_cast<std::int64_t>(j[2]) * record;
       const double* d = records + static_cast<std::int64_t>(j[3]) * record;
+      // Geometry as soon as positions and velocities are there: with all of a record in registers, some would spill.
       v4 s[record];
 #pragma GCC unroll 8
       for (int q = 0; q < Quads; ++q) {
@@ -53,21 +62,11 @@ std::int64_t gather_block(const GatherArguments& g) {
         s[4 * q + 1] = load4(b + 4 * q);
         s[4 * q + 2] = load4(c + 4 * q);
         s[4 * q + 3] = load4(d + 4 * q);
-        transpose(s[4 * q], s[4 * q + 1], s[4 * q + 2], s[4 * q + 3]);
-      }
-      v4 r2 = all4(0.0), vr = all4(0.0);
+        transpose4(s[4 * q], s[4 * q + 1], s[4 * q + 2], s[4 * q + 3]);
+        if (4 * q < head && 4 * q + 4 >= head) geometry<Dim, Approach, Stride>(xi, ui, s, w);
 #pragma GCC unroll 4
-      for (int k = 0; k < Dim; ++k) {
-        const v4 dx = xi[k] - s[k];
-        store4(w + k * Stride, dx);
-        r2 += dx * dx;
-        if constexpr (Approach) vr += (ui[k] - s[Dim + k]) * dx;
+        for (int k = 4 * q > head ? 4 * q : head; k < 4 * q + 4; ++k) store4(w + (Dim + 3 + k - head) * Stride, s[k]);
       }
-      if (squares) store4(w + (Dim + 1) * Stride, r2);
-      store4(w + Dim * Stride, root4(r2));  // here, and not in a loop of its own: it overlaps with the loads
-      if constexpr (Approach) store4(w + (Dim + 2) * Stride, vr);
-#pragma GCC unroll 32
-      for (int k = head; k < record; ++k) store4(w + (Dim + 3 + k - head) * Stride, s[k]);
 #pragma GCC unroll 4
       for (int o = 0; o < own_count; ++o) store4(w + (first_own + o) * Stride, own[o]);
     }
@@ -129,23 +128,20 @@ void pack_records(const double* const* columns, int used, int quads, std::int64_
                   double* records) {
   const int record = 4 * quads;
   const std::int64_t whole = first + ((last - first) & ~std::int64_t{3});
-  for (int q = 0; q < quads; ++q) {
-    const int have = used - 4 * q;
-    for (std::int64_t i = first; i < whole; i += 4) {
-      v4 a = load4(columns[4 * q] + i);
-      v4 b = have > 1 ? load4(columns[4 * q + 1] + i) : all4(0.0);
-      v4 c = have > 2 ? load4(columns[4 * q + 2] + i) : all4(0.0);
-      v4 d = have > 3 ? load4(columns[4 * q + 3] + i) : all4(0.0);
-      transpose(a, b, c, d);
+  const auto column = [&](int k, std::int64_t i) { return k < used ? load4(columns[k] + i) : all4(0.0); };
+  for (std::int64_t i = first; i < whole; i += 4) {  // all of a record at once: it fills cache lines
+    for (int q = 0; q < quads; ++q) {
+      v4 a = column(4 * q, i), b = column(4 * q + 1, i), c = column(4 * q + 2, i), d = column(4 * q + 3, i);
+      transpose4(a, b, c, d);
       double* to = records + i * record + 4 * q;
       store4(to, a);
       store4(to + record, b);
       store4(to + 2 * record, c);
       store4(to + 3 * record, d);
     }
-    for (std::int64_t i = whole; i < last; ++i) {
-      for (int k = 0; k < 4; ++k) records[i * record + 4 * q + k] = k < have ? columns[4 * q + k][i] : 0.0;
-    }
+  }
+  for (std::int64_t i = whole; i < last; ++i) {
+    for (int k = 0; k < record; ++k) records[i * record + k] = k < used ? columns[k][i] : 0.0;
   }
 }
 

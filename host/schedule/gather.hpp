@@ -19,7 +19,6 @@ struct GatherArguments {
   const std::int64_t* begin = nullptr;      // offsets per particle
   const double* own[gathered_own] = {};     // [owned]
   int own_count = 0;
-  bool squares = true;               // store distance squared as well
   std::int64_t first = 0, last = 0;  // targets of the block
   double* arena = nullptr;  // arrays of `stride` doubles: separation, distance, its square, approach, slots, own
 };
@@ -49,10 +48,21 @@ inline v4 all4(double x) {
   return v4{x, x, x, x};
 }
 
-// The first `count` lanes (1 to 3), zeros in the others, whatever is there.
+// Rows a, b, c, d become columns.
+inline void transpose4(v4& a, v4& b, v4& c, v4& d) {
+  const v4 ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const v4 cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
+
+// The first `count` lanes (0 to 4), zeros in the others, whatever is there.
 inline v4 first_lanes(v4 v, std::int64_t count) {
   using m4 = std::int64_t __attribute__((vector_size(32)));
-  static constexpr m4 mask[4] = {m4{0, 0, 0, 0}, m4{-1, 0, 0, 0}, m4{-1, -1, 0, 0}, m4{-1, -1, -1, 0}};
+  static constexpr m4 mask[5] = {m4{0, 0, 0, 0}, m4{-1, 0, 0, 0}, m4{-1, -1, 0, 0}, m4{-1, -1, -1, 0},
+                                 m4{-1, -1, -1, -1}};
   return reinterpret_cast<v4>(reinterpret_cast<m4>(v) & mask[count]);
 }
 

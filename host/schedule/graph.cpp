@@ -188,6 +188,7 @@ void Graph::collect(const std::vector<std::string>& given) {
       nodes_.push_back(std::move(node));
     }
     for (const auto* evolved : entries(plugin.table->evolved)) {
+      if (!condition_holds(evolved->when, plugin.values)) continue;
       GraphEvolved e;
       e.field = intern(*evolved->field, plugin.id);
       e.rate = intern(*evolved->rate, plugin.id);

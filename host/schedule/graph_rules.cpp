@@ -10,12 +10,12 @@ namespace riffle {
 // Removes passes that ask to be left out when something they read is missing, the host's own where somebody else
 // writes, and turns absent optional reads into -1; repeats, since one removal may cause another.
 void Graph::drop_unprovided() {
-  const auto provided = [&](int f, const PassNode* except) {
+  const auto provided = [&](int f, bool at_start) {  // at_start: before any but the initial passes have run
     const GraphField& graph_field = fields_[static_cast<std::size_t>(f)];
     if (graph_field.pair_source == PairSource::geometry || graph_field.pair_source == PairSource::kernel) return true;
-    if (graph_field.given || graph_field.evolved) return true;
+    if (graph_field.given || (graph_field.evolved && !at_start)) return true;
     return std::any_of(nodes_.begin(), nodes_.end(), [&](const PassNode& n) {
-      return &n != except &&
+      return (n.initial || !at_start) &&
              std::any_of(n.writes.begin(), n.writes.end(), [&](const NodeWrite& w) { return w.field == f; });
     });
   };
@@ -38,7 +38,7 @@ void Graph::drop_unprovided() {
       if (!fallback && (node.pass->flags & RIFFLE_IF_PROVIDED) == 0) continue;
       const auto reads = entries(node.pass->reads);
       for (std::size_t r = 0; r < node.reads.size(); ++r) {
-        if ((reads[r]->flags & RIFFLE_OPTIONAL) == 0 && !provided(node.reads[r].field, nullptr)) {
+        if ((reads[r]->flags & RIFFLE_OPTIONAL) == 0 && !provided(node.reads[r].field, node.initial)) {
           if (!fallback) {
             notes_.push_back(node.label + " is left out: nobody provides " + name(node.reads[r].field));
           }
@@ -52,12 +52,13 @@ void Graph::drop_unprovided() {
   for (auto& node : nodes_) {
     const auto reads = entries(node.pass->reads);
     for (std::size_t r = 0; r < node.reads.size(); ++r) {
-      if ((reads[r]->flags & RIFFLE_OPTIONAL) != 0 && !provided(node.reads[r].field, nullptr)) node.reads[r].field = -1;
+      if ((reads[r]->flags & RIFFLE_OPTIONAL) != 0 && !provided(node.reads[r].field, node.initial))
+        node.reads[r].field = -1;
     }
   }
   std::erase_if(votes_, [&](const GraphVote& vote) {
     for (const int f : vote.fields) {
-      if (provided(f, nullptr)) continue;
+      if (provided(f, false)) continue;
       notes_.push_back(vote.label + " does not vote on the time step: nobody provides " + name(f));
       return true;
     }

@@ -56,7 +56,6 @@ class Maker {
     if (read.field < 0) return;
     const auto& f = field(read.field);
     if (f.geometry == 3) layout_.approach = true;
-    if (f.geometry == 2) layout_.squares = true;
     if (f.kernel_bit >= 0) {
       if (read.where != RIFFLE_AT_I) slot({graph_.field("smoothing_length"), 0, true});
     } else if (f.pair_source == PairSource::none && read.where != RIFFLE_AT_I) {

@@ -55,7 +55,6 @@ struct Keep {
 struct GroupLayout {
   int dim = 1;
   bool approach = false, any_self = false;
-  bool squares = false;                           // somebody reads distance_squared
   int quads = 1;                                  // 4-double pieces of a record
   std::vector<Source> slots;                      // after position (and velocity): slot k is array first_slot + k
   int first_slot = 0;                             // array of the first slot

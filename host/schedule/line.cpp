@@ -7,7 +7,7 @@
 
 #include "host/neighbours/neighbours.hpp"
 #include "host/plugins/call.hpp"
-#include "host/schedule/gather.hpp"
+#include "host/schedule/line_pairs.hpp"
 
 namespace riffle {
 
@@ -17,21 +17,6 @@ constexpr std::int64_t stretch = 256;                            // particles wh
 constexpr std::int64_t margin = longest_segment + stretch + 16;  // far dummies at both ends of every column
 constexpr int x_column = 0, u_column = 1, reach_column = 2, first_column = 3;
 constexpr double far = 1e15;
-
-// In four chains: in one, the latency of each addition would be most of the time spent on a line.
-double sum_of_eights(const double* values, std::int64_t n) {
-  v4 a = all4(0), b = all4(0), c = all4(0), d = all4(0);
-  std::int64_t k = 0;
-  for (; k + 16 <= n; k += 16) {
-    a += load4(values + k);
-    b += load4(values + k + 4);
-    c += load4(values + k + 8);
-    d += load4(values + k + 12);
-  }
-  for (; k < n; k += 4) a += load4(values + k);
-  a += b + (c + d);
-  return (a[0] + a[1]) + (a[2] + a[3]);
-}
 
 std::int64_t round_up(std::int64_t n, std::int64_t to) {
   return (n + to - 1) / to * to;
@@ -71,7 +56,17 @@ LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const Neighb
   }
   for (const GatherOp& op : layout.ops) {
     const int column = column_of(op.source);
-    if (op.kind == GatherOp::Kind::own) places_[static_cast<std::size_t>(op.to)] = {column, false};
+    if (op.kind == GatherOp::Kind::own)
+      places_[static_cast<std::size_t>(op.to)] = {column, false};
+    else
+      ops_.push_back({op.kind, op.to, column});
+  }
+  for (const PassCall& call : layout.calls) {
+    for (const auto& arrays : call.in) {
+      for (const int a : arrays) {
+        if (a < 4) reads_[static_cast<std::size_t>(a)] = true;
+      }
+    }
   }
   columns_.resize(first_column + sources_.size());
   for (std::size_t k = 0; k < sources_.size(); ++k) {
@@ -136,15 +131,19 @@ void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& im
   }
   const auto on_left = static_cast<std::int64_t>(left.size()), on_right = static_cast<std::int64_t>(right.size());
   start_ = round_up(margin + on_left, 8);
-  const std::int64_t end = start_ + n + on_right;
+  const std::int64_t begin = start_ - on_left, end = start_ + n + on_right;
+  const bool same_ends = begin == begin_ && end == end_;  // then the dummies of the last sweep serve again
+  begin_ = begin;
+  end_ = end;
   const auto fill = [&](int column, const double* values, bool position) {
     AlignedArray& array = columns_[static_cast<std::size_t>(column)];
     array.resize(static_cast<std::size_t>(end + margin));
     double* to = array.data();
-    std::fill(to, to + start_ - on_left, position ? -far : values[0]);
-    for (std::int64_t k = 0; k < on_left; ++k) to[start_ - on_left + k] = values[left[static_cast<std::size_t>(k)]];
+    for (std::int64_t k = 0; k < on_left; ++k) to[begin + k] = values[left[static_cast<std::size_t>(k)]];
     std::copy(values, values + n, to + start_);
     for (std::int64_t k = 0; k < on_right; ++k) to[start_ + n + k] = values[right[static_cast<std::size_t>(k)]];
+    if (same_ends) return;
+    std::fill(to, to + begin, position ? -far : values[0]);
     std::fill(to + end, to + end + margin, position ? far : values[0]);
     for (std::int64_t k = 0; position && k < margin; ++k) to[end + k] *= static_cast<double>(k + 1);  // far apart, too
   };
@@ -152,19 +151,36 @@ void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& im
   if (layout_.approach) fill(u_column, store.data("velocity"), false);
   fill(reach_column, store.data("smoothing_length"), false);
   double* reach = columns_[reach_column].data();
-  double largest = 0;
-#pragma omp simd reduction(max : largest)
-  for (std::int64_t k = 0; k < end + margin; ++k) {
-    reach[k] *= kappa;
-    largest = reach[k] > largest ? reach[k] : largest;
+#pragma omp simd
+  for (std::int64_t k = begin; k < end; ++k) reach[k] *= kappa;
+  if (!same_ends) {  // dummies see nobody, not even each other
+    std::fill(reach, reach + begin, -1.0);
+    std::fill(reach + end, reach + end + margin, -1.0);
   }
-  largest_reach_ = largest;
-  std::fill(reach, reach + start_ - on_left, -1.0);  // dummies see nobody, not even each other
-  std::fill(reach + end, reach + end + margin, -1.0);
+  if (reach_ != Reach::gather) find_edges();
   for (std::size_t k = 0; k < sources_.size(); ++k)
     fill(first_column + static_cast<int>(k), source(sources_[k]), false);
   for (Late& late : late_) late.from = source(sources_[static_cast<std::size_t>(late.column - first_column)]);
   while (static_cast<int>(threads_.size()) < threads) threads_.push_back(make_thread());
+}
+
+// How far those at k and beyond reach back, a little more than exactly: where a walk ends must not decide whether a pair
+// counts that rounding puts on one side of the reach or on the other.
+void LineGroup::find_edges() {
+  const double *x = columns_[x_column].data(), *reach = columns_[reach_column].data();
+  for (AlignedArray* edge : {&edge_right_, &edge_left_}) edge->resize(columns_[x_column].size());
+  double *right = edge_right_.data(), *left = edge_left_.data();
+  const auto edge = [&](std::int64_t k, double side) {
+    return side * x[k] - reach[k] - 1e-9 * reach[k] - 1e-15 * std::abs(x[k]);
+  };
+  constexpr double nobody = std::numeric_limits<double>::infinity();
+  std::fill(right + end_, right + end_ + margin, nobody);
+  std::fill(left, left + begin_, nobody);
+  double least = nobody;
+  for (std::int64_t k = end_; k-- > 0;) right[k] = least = k < begin_ ? least : std::min(least, edge(k, 1));
+  least = nobody;
+  for (std::int64_t k = begin_; k < end_ + margin; ++k)
+    left[k] = least = k >= end_ ? least : std::min(least, edge(k, -1));
 }
 
 void LineGroup::point(Thread& local, std::int64_t i, std::int64_t j) const {
@@ -178,13 +194,8 @@ void LineGroup::point(Thread& local, std::int64_t i, std::int64_t j) const {
 bool LineGroup::evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int64_t n, std::int64_t first, double time,
                          double dt, GroupFailure& failure) const {
   const auto array = [&](int a) { return local.arena.data() + static_cast<std::ptrdiff_t>(a) * (stretch + 8); };
-  const auto column = [&](const Source& s) {
-    const auto found = std::find(sources_.begin(), sources_.end(), s) - sources_.begin();
-    return columns_[static_cast<std::size_t>(first_column + found)].data();
-  };
-  for (const GatherOp& op : layout_.ops) {
-    if (op.kind == GatherOp::Kind::own) continue;
-    const double* at = column(op.source);
+  for (const Op& op : ops_) {
+    const double* at = columns_[static_cast<std::size_t>(op.column)].data();
     const double *own = at + i, *theirs = at + j;
     double* to = array(op.to);
     if (op.kind == GatherOp::Kind::difference) {
@@ -264,61 +275,48 @@ GroupFailure LineGroup::run(std::int64_t first, std::int64_t last, int thread, d
     const double *x = columns_[x_column].data(), *u = layout_.approach ? columns_[u_column].data() : nullptr;
     const double* reach = columns_[reach_column].data();
     double* counts = local.counts.data();
+    LinePairs pairs;
+    pairs.n = n;
+    pairs.xi = x + i;
+    pairs.li = reach + i;
+    pairs.distance = r;
+    pairs.separation = reads_[0] ? dx : nullptr;
+    pairs.squared = reads_[2] ? r2 : nullptr;
+    pairs.approach = reads_[3] ? vr : nullptr;
+    pairs.counts = counts;
     for (const std::int64_t side : {-1, 1}) {
+      const double* edge = (side < 0 ? edge_left_ : edge_right_).data();
+      pairs.side = static_cast<double>(side);
       for (std::int64_t m = 1;; ++m) {
         const std::int64_t j = i + side * m;
-        const double *xi = x + i, *xj = x + j, *li = reach + i, *lj = reach + j;
-        double within = 0, nearest = far;
-        if (reach_ == Reach::gather) {
-#pragma omp simd
-          for (std::int64_t k = 0; k < n; ++k) {
-            const double d = xi[k] - xj[k];
-            dx[k] = d;
-            r[k] = std::abs(d);
-            counts[k] = std::abs(d) < li[k] ? 1.0 : 0.0;
-          }
-          within = sum_of_eights(counts, n);
-          if (within == 0) break;  // sorted: nobody further is nearer
-        } else {
-          const double own = reach_ == Reach::either ? 1.0 : 0.0;
-#pragma omp simd reduction(+ : within) reduction(min : nearest)
-          for (std::int64_t k = 0; k < n; ++k) {
-            const double d = xi[k] - xj[k], mine = own * li[k], bound = lj[k] > mine ? lj[k] : mine;
-            dx[k] = d;
-            r[k] = std::abs(d);
-            counts[k] = std::abs(d) < bound ? 1.0 : 0.0;
-            within += counts[k];
-            nearest = std::abs(d) < nearest ? std::abs(d) : nearest;
-          }
-          if (nearest >= largest_reach_) break;  // a far neighbour may reach further than a near one
+        pairs.xj = x + j;
+        pairs.lj = reach + j;
+        if (u != nullptr) {
+          pairs.ui = u + i;
+          pairs.uj = u + j;
         }
+        if (reach_ != Reach::gather) pairs.edge = edge + j;
+        const LineCount count_of =
+            reach_ == Reach::gather ? pairs_by_own_reach(pairs) : pairs_by_their_reach(pairs, reach_ == Reach::either);
+        if (!count_of.more) break;
         if (m >= longest_segment) {
-          failure.message = "a particle near x = " + std::to_string(xi[0]) + " m has more than " +
+          failure.message = "a particle near x = " + std::to_string(x[i]) + " m has more than " +
                             std::to_string(longest_segment) + " neighbours on one side: the support is too large";
           return failure;
         }
-        if (within == 0) continue;
-        if (layout_.squares) {
-#pragma omp simd
-          for (std::int64_t k = 0; k < n; ++k) r2[k] = dx[k] * dx[k];
-        }
-        if (u != nullptr) {
-          const double *ui = u + i, *uj = u + j;
-#pragma omp simd
-          for (std::int64_t k = 0; k < n; ++k) vr[k] = (ui[k] - uj[k]) * dx[k];
-        }
+        if (count_of.within == 0) continue;
+        const bool all = count_of.within == static_cast<double>(n);
         if (!evaluate(local, i, j, n, b, time, dt, failure)) return failure;
         for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {
           const Reduction& reduction = layout_.reductions[q];
           const double* f = array(reduction.array);
           double* sum = local.sums[q].data();
           if (reduction.how == RIFFLE_SUM) {
-#pragma omp simd
-            for (std::int64_t k = 0; k < n; ++k) sum[k] += counts[k] != 0 ? f[k] : 0.0;
+            add_pairs(n, all, counts, f, sum);
           } else {
             const bool least = reduction.how == RIFFLE_MIN;
             for (std::int64_t k = 0; k < n; ++k) {
-              if (counts[k] != 0) sum[k] = least ? std::min(sum[k], f[k]) : std::max(sum[k], f[k]);
+              if (all || counts[k] != 0) sum[k] = least ? std::min(sum[k], f[k]) : std::max(sum[k], f[k]);
             }
           }
         }

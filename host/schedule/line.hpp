@@ -3,9 +3,11 @@
 //
 // Sums run over m = 1, 2, ... to the left, then to the right, and only pairs within reach count: the result does not
 // depend on the stretch. Particles of other roles and images count too, as long as they lie beyond the ends of the
-// water, as those of inflow, outflow and walls do. Two to three times faster than lists, which padding makes expensive for 6 to 8 neighbours.
+// water, as those of inflow, outflow and walls do. Two to three times faster than lists, which padding makes expensive
+// for 6 to 8 neighbours.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <set>
@@ -43,7 +45,12 @@ class LineGroup {
     int column = -1;
     bool at_j = false;
   };
+  struct Op {  // means and differences of a column, formed for each m
+    GatherOp::Kind kind;
+    int to, column;
+  };
   int column_of(const Source& source);
+  void find_edges();
   std::unique_ptr<Thread> make_thread() const;
   void point(Thread& local, std::int64_t i, std::int64_t j) const;
   bool evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int64_t n, std::int64_t first, double time,
@@ -55,14 +62,17 @@ class LineGroup {
   std::uint32_t source_roles_;
   std::vector<Source> sources_;  // of columns behind position, velocity and reach
   std::vector<Place> places_;    // per array
+  std::array<bool, 4> reads_{};  // whether anybody reads separation, distance, its square, approach: arrays 0 to 3
+  std::vector<Op> ops_;
   std::vector<AlignedArray> columns_;
-  std::int64_t start_ = 0;  // column index of the first water particle
+  AlignedArray edge_right_, edge_left_;  // how far those at and beyond a place reach back
+  std::int64_t start_ = 0;               // column index of the first water particle
+  std::int64_t begin_ = -1, end_ = -1;   // of all particles in the columns; dummies around them
   struct Late {
     int column = 0;
     const double* from = nullptr;
   };
   std::vector<Late> late_;  // columns of fields that the sweep itself has just written
-  double largest_reach_ = 0;
   std::vector<std::unique_ptr<Thread>> threads_;
 };
 

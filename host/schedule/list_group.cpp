@@ -190,22 +190,25 @@ void ListGroup::sum_some(const Sums& sums, const double* arena, std::int64_t i0,
   const std::int32_t* counts = list_->count.data();
   const double* values[Count];
   for (int r = 0; r < Count; ++r) values[r] = arena + static_cast<std::ptrdiff_t>(sums.array[r]) * stride_;
-  std::int64_t w = 0;
-  for (std::int64_t i = i0; i < i1; w += begin[i + 1] - begin[i], ++i) {
-    v4 sum[Count];
-    for (int r = 0; r < Count; ++r) sum[r] = all4(0.0);
-    const std::int64_t count = counts[i], whole = w + (count & ~std::int64_t{3});
-    for (std::int64_t k = w; k < whole; k += 4) {
+  std::int64_t k = 0;
+  for (std::int64_t i = i0; i < i1; ++i) {
+    v4 sum[4] = {all4(0.0), all4(0.0), all4(0.0), all4(0.0)};
+    const std::int64_t end = k + begin[i + 1] - begin[i];
+    if (k < end) {
+      for (; k < end - 4; k += 4) {
 #pragma GCC unroll 4
-      for (int r = 0; r < Count; ++r) sum[r] += load4(values[r] + k);
-    }
-    if ((count & 3) != 0) {
+        for (int r = 0; r < Count; ++r) sum[r] += load4(values[r] + k);
+      }
+      const std::int64_t lanes = counts[i] - (begin[i + 1] - begin[i]) + 4;  // of the last four; the rest is padding
 #pragma GCC unroll 4
-      for (int r = 0; r < Count; ++r) sum[r] += first_lanes(load4(values[r] + whole), count & 3);
+      for (int r = 0; r < Count; ++r) sum[r] += first_lanes(load4(values[r] + k), lanes);
+      k = end;
     }
+    transpose4(sum[0], sum[1], sum[2], sum[3]);  // the lanes of all sums at once
+    const v4 totals = (sum[0] + sum[1]) + (sum[2] + sum[3]);
 #pragma GCC unroll 4
     for (int r = 0; r < Count; ++r) {
-      double total = (sum[r][0] + sum[r][1]) + (sum[r][2] + sum[r][3]);
+      double total = totals[r];
       if (sums.with_self[r]) total += values[r][self + i - i0];
       sums.to[r][i] = sums.first[r] ? total : sums.to[r][i] + total;
     }
@@ -252,8 +255,7 @@ GroupFailure ListGroup::run(std::int64_t first, std::int64_t last, int thread, d
   const ActivePlugin* kernel =
       graph_.kernel() >= 0 ? &graph_.plugins()[static_cast<std::size_t>(graph_.kernel())] : nullptr;
   const bool any_op = layout_.ops.size() > static_cast<std::size_t>(layout_.own_count);
-  GatherArguments arguments{
-      records_.data(), list_->neighbour.data(), begin, {}, layout_.own_count, layout_.squares, 0, 0, arena};
+  GatherArguments arguments{records_.data(), list_->neighbour.data(), begin, {}, layout_.own_count, 0, 0, arena};
   int gathered = 0;
   for (std::size_t o = 0; o < layout_.ops.size() && gathered < layout_.own_count; ++o) {
     if (layout_.ops[o].kind == GatherOp::Kind::own) arguments.own[gathered++] = own_[o];

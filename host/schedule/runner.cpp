@@ -305,7 +305,7 @@ void Runner::prepare(Group& group, const ListProvider& lists, const std::vector<
 }
 
 void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists, const std::vector<Image>& images,
-                 double time, double dt) {
+                 double time, double dt, const std::vector<Span>* only) {
   const Sweep& sweep = plan.sweeps[index];
   failure_.clear();
   if (sweep.global >= 0) {
@@ -326,14 +326,14 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
     for (std::int64_t i = 0; i < store_.all(); ++i) inverse_l_.data()[i] = 1.0 / l[i];
   }
   for (auto& group : compiled.groups) prepare(group, lists, images, threads);
-  struct Range {
-    std::int64_t first, last;
-    std::uint32_t role;
-  };
-  std::vector<Range> chunks;
-  for (int role = 0; role < role_count; ++role) {
-    for (std::int64_t i = store_.role_begin(role); i < store_.role_begin(role + 1); i += options_.chunk) {
-      chunks.push_back({i, std::min(i + options_.chunk, store_.role_begin(role + 1)), 1u << role});
+  std::vector<Span> chunks;
+  if (only != nullptr && compiled.zero_fields.empty()) {
+    chunks = *only;
+  } else {
+    for (int role = 0; role < role_count; ++role) {
+      for (std::int64_t i = store_.role_begin(role); i < store_.role_begin(role + 1); i += options_.chunk) {
+        chunks.push_back({i, std::min(i + options_.chunk, store_.role_begin(role + 1)), 1u << role});
+      }
     }
   }
   for (const int f : compiled.zero_fields) clear(f, RIFFLE_ALL_ROLES);

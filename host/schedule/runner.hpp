@@ -23,6 +23,12 @@ struct RunnerOptions {
   std::int64_t block = 0;    // pairs; 0: what fits the cache
 };
 
+// Owned particles [first, last) of one role, given as a bit.
+struct Span {
+  std::int64_t first, last;
+  std::uint32_t role;
+};
+
 // Where the lists come from; the neighbourhood implements it.
 class ListProvider {
  public:
@@ -40,9 +46,10 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  // Runs one sweep. Images of what it reads of neighbours must be current. Throws RunError naming plugin and pass.
+  // Runs one sweep, over all particles or some. Images of what it reads of neighbours must be current. Throws RunError
+  // naming plugin and pass.
   void run(const Plan& plan, std::size_t sweep, const ListProvider& lists, const std::vector<Image>& images,
-           double time, double dt);
+           double time, double dt, const std::vector<Span>* only = nullptr);
   // Smallest limit over the particles of a vote.
   double vote(const GraphVote& vote, double time, double dt);
   // Attribute fields with one value for all particles need no gather; call when attributes have changed.

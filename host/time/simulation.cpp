@@ -26,6 +26,7 @@ int worthwhile_threads(int dim, std::int64_t particles) {
 Simulation::Simulation(const Case& scene, const Registry& registry, const SimulationOptions& options)
     : case_(scene), options_(options), store_(scene.dimension) {
   create_plugins(registry);
+  if (options.only_plugins) return;
   place_particles();
   omp_set_num_threads(options.threads > 0 ? options.threads : worthwhile_threads(scene.dimension, store_.owned()));
   add_fields();
@@ -37,6 +38,7 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
   boundaries_ = std::make_unique<Boundaries>(*graph_, store_);
   neighbourhood_ = std::make_unique<Neighbourhood>(store_, kernel.support, options.skin,
                                                    [this](std::vector<Image>& images) { boundaries_->images(images); });
+  host_fields_.connect(store_, kernel.support, neighbourhood_->images());
   integrator_ = make_integrator(case_.time.integrator, *graph_, store_, case_.time.drag_implicit);
   evaluator_ = std::make_unique<Evaluator>(*graph_, store_, *neighbourhood_, options.runner);
   boundaries_->connect(*evaluator_, *neighbourhood_);
@@ -79,6 +81,7 @@ void Simulation::create_plugins(const Registry& registry) {
   }
   if (!broken.empty()) throw ScheduleError(broken);
   active.push_back(terrain_fields_->as_plugin());
+  active.push_back(host_fields_.plugin(case_.dimension));
   std::vector<std::string> wanted = case_.output.fields;
   if (terrain_->services().has_bed != 0) wanted.emplace_back("smoothed_bed_level");  // the energy of water stands on it
   graph_ = std::make_unique<Graph>(case_.dimension, active, given, wanted);
@@ -231,12 +234,16 @@ void Simulation::refresh(const std::vector<std::string>& fields) {
 std::vector<std::string> Simulation::shown_fields() const {
   if (!case_.output.fields.empty()) return case_.output.fields;
   std::vector<std::string> shown;
+  std::set<std::string> initial;  // what a case can start with is what it is about, also when it is derived afterwards
+  for (const auto& plugin : graph_->plugins()) {
+    for (auto f = plugin.table->initial; f != nullptr && *f != nullptr; ++f) initial.insert((*f)->name);
+  }
   for (const auto& [name, field] : store_.fields()) {
     const int f = graph_->field(name);
     if (f < 0 || name == "position" || name == "cell_measure") continue;
     const auto& graph_field = graph_->fields()[static_cast<std::size_t>(f)];
     const bool varies = !graph_field.attribute;
-    if (graph_field.evolved || (graph_field.given && varies)) shown.push_back(name);
+    if (graph_field.evolved || ((graph_field.given || initial.count(name) != 0) && varies)) shown.push_back(name);
   }
   return shown;
 }

@@ -11,6 +11,7 @@
 #include "host/plugins/instance.hpp"
 #include "host/plugins/registry.hpp"
 #include "host/schedule/evaluator.hpp"
+#include "host/schedule/host_fields.hpp"
 #include "host/terrain/terrain_fields.hpp"
 #include "host/time/boundaries.hpp"
 #include "host/time/integrator.hpp"
@@ -21,6 +22,7 @@ struct SimulationOptions {
   int threads = 0;    // 0: all cores
   double skin = 0.1;  // of neighbour lists, fraction of the support; 2D and 3D
   RunnerOptions runner;
+  bool only_plugins = false;  // to try a combination: plugins and their graph are made, and nothing can be run
 };
 
 // All that a later process needs to go on bit by bit.
@@ -80,6 +82,7 @@ class Simulation {
   std::vector<std::unique_ptr<PluginInstance>> instances_;
   std::unique_ptr<Terrain> terrain_;
   std::unique_ptr<TerrainFields> terrain_fields_;
+  HostFields host_fields_;
   std::unique_ptr<Graph> graph_;
   std::unique_ptr<Neighbourhood> neighbourhood_;
   std::unique_ptr<Evaluator> evaluator_;

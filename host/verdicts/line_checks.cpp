@@ -37,8 +37,10 @@ LineLook look_along(const LineView& line) {
   return look;
 }
 
-std::int64_t overtakings(const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
-  if (before == now) return 0;
+namespace {
+
+// Particles of `now` that stand behind one that was behind them in `before`.
+std::int64_t out_of_order(const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
   std::int64_t largest = -1;
   for (const auto* list : {&before, &now}) {
     for (const std::int64_t id : *list) largest = std::max(largest, id);
@@ -54,6 +56,18 @@ std::int64_t overtakings(const std::vector<std::int64_t>& before, const std::vec
     furthest = std::max(furthest, r);
   }
   return found;
+}
+
+}  // namespace
+
+std::int64_t overtakings(const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
+  if (before == now || now.empty()) return 0;
+  const std::int64_t found = out_of_order(before, now);
+  const auto first = std::find(before.begin(), before.end(), now.front());
+  if (found == 0 || first == before.begin() || first == before.end()) return found;
+  std::vector<std::int64_t> turned(first, before.end());  // where a boundary closes the channel to a ring
+  turned.insert(turned.end(), before.begin(), first);
+  return std::min(found, out_of_order(turned, now));
 }
 
 }  // namespace riffle

@@ -25,7 +25,8 @@ constexpr double stretched_gap = 0.75, paired_gaps = 1.2;
 LineLook look_along(const LineView& line);
 
 // How many particles now stand on another side of a neighbour than before: of the ids that both orders hold, those that
-// follow a larger rank. 0 when nobody has overtaken anybody. Ids are not negative.
+// follow a larger rank. 0 when nobody has overtaken anybody, also where the channel is closed to a ring and particles
+// leave at one end to come in at the other. Ids are not negative.
 std::int64_t overtakings(const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now);
 
 }  // namespace riffle

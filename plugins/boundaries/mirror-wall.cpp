@@ -82,7 +82,7 @@ struct MirrorWall {
   static void reflect(const riffle_editor& e, const Wall& wall, std::int64_t k) {
     double* x = e.write(e.context, "position", wall.axis);
     x[k] = 2 * wall.position - x[k];
-    for (const char* reversed : {"velocity", "acceleration"}) {
+    for (const char* reversed : {"velocity", "acceleration", "momentum"}) {
       if (double* v = e.write(e.context, reversed, wall.axis)) v[k] = -v[k];
     }
   }
@@ -128,8 +128,15 @@ struct MirrorWall {
       if (e.role[k] == RIFFLE_PROBE || !inside(k)) return;
       if (wall.distance(x[k]) < std::max(zone, e.reach[k])) found.push_back(candidate);
     };
-    for (std::int64_t k = 0; k < e.count; ++k) {
-      if (inward * (x[k] - position) < bound) add({k, k});  // most particles are far from it
+    constexpr std::int64_t run = 512;  // most are far from it: whole runs of them are passed over at once
+    for (std::int64_t first = 0; first < e.count; first += run) {
+      const std::int64_t last = std::min(first + run, e.count);
+      std::int64_t near_it = 0;
+#pragma omp simd reduction(+ : near_it)
+      for (std::int64_t k = first; k < last; ++k) near_it += inward * (x[k] - position) < bound ? 1 : 0;
+      for (std::int64_t k = first; near_it > 0 && k < last; ++k) {
+        if (inward * (x[k] - position) < bound) add({k, k});
+      }
     }
     for (std::size_t m = 0; m < images; ++m) add(made[m]);
     return found;

@@ -155,5 +155,16 @@ TEST(SteadyFlow, SaysWhatCannotBe) {
   }
 }
 
+TEST(StillWater, IsLevelOverAStepAndNowhereWhereTheBedStandsOutOfIt) {
+  const ReferenceCase lake("still-water", {{"level", 3}}, with_step(10, 1));
+  EXPECT_EQ(lake.at(9.9, 5).depth, 3);
+  EXPECT_EQ(lake.at(10, 5).depth, 2);
+  EXPECT_EQ(lake.at(12, 5).velocity, 0);
+  EXPECT_DOUBLE_EQ(lake.at(12, 5).velocity_scale, std::sqrt(2 * g));
+  const ReferenceCase pond("still-water", {{"level", 0.5}}, with_step(10, 1));
+  EXPECT_TRUE(pond.at(1, 0).defined);
+  EXPECT_FALSE(pond.at(11, 0).defined);
+}
+
 }  // namespace
 }  // namespace riffle::contract

@@ -163,9 +163,16 @@ def plugin_page(descriptions):
     return "\n".join(page)
 
 
+def fields_of_the_host(root):
+    """What the host's own passes write, from their declarations."""
+    for file in ("host/terrain/terrain_fields.cpp", "host/schedule/host_fields.cpp"):
+        for declared in re.findall(r"writes\[\] = \{(.*?)\};", (root / file).read_text(), re.S):
+            yield from re.findall(r"f::(\w+)", declared)
+
+
 def fields_page(root, descriptions):
     particles, pairs = dictionary(root)
-    writers = {}
+    writers = {field: ["the host"] for field in fields_of_the_host(root)}
     for (_, name), d in descriptions.items():
         for p in d["passes"]:
             for field, _ in p["writes"]:

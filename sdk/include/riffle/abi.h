@@ -232,6 +232,7 @@ typedef struct riffle_evolved { /* d field / dt = rate - damping * field */
   uint32_t size, flags;
   const riffle_field *field, *rate;
   const riffle_field *damping; /* NULL, or a rate [1/s] >= 0 applied point-implicitly when somebody writes it */
+  const char *when;            /* as for passes: evolved only then */
 } riffle_evolved;
 
 /* ---- Kinds with functions of their own -------------------------------------------------------------------------- */
@@ -341,8 +342,8 @@ typedef struct riffle_plugin {
   int32_t (*edit)(const void *self, const riffle_editor *editor, riffle_error *error) RIFFLE_NOEXCEPT;  /* each step */
   int32_t (*images)(const void *self, const riffle_editor *editor, riffle_error *error) RIFFLE_NOEXCEPT; /* new list */
 
-  /* reference: values[f][k] and the scale that makes its error relative, for each field of `gives`; defined[k] = 0
-     where there is no answer */
+  /* reference: values[row][k] and the scale that makes its error relative; one row per component of the fields of
+     `gives`, in their order (scalar: 1, vector: dim, ...); defined[k] = 0 where there is no answer */
   const riffle_field *const *gives;
   int32_t (*evaluate_reference)(const void *self, const riffle_points *points, double *const *values,
                                 double *const *scales, uint8_t *defined, riffle_error *error) RIFFLE_NOEXCEPT;

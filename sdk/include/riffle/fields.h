@@ -12,6 +12,8 @@
 #define RIFFLE_FIELDS(X)                                                                                               \
   X(position, RIFFLE_VECTOR, 0, "m", "position of the particle; z is up")                                              \
   X(velocity, RIFFLE_VECTOR, 0, "m.s-1", "velocity of the water, depth-averaged in shallow-water sets")                \
+  X(particle_velocity, RIFFLE_VECTOR, 0, "m.s-1",                                                                      \
+    "velocity at which the particle moves, in sets where it may differ from that of the water")                        \
   X(acceleration, RIFFLE_VECTOR, RIFFLE_ACCUMULATES, "m.s-2", "rate of change of velocity, drag excluded")             \
   X(drag_rate, RIFFLE_SCALAR, RIFFLE_ACCUMULATES | RIFFLE_NOT_NEGATIVE, "s-1",                                         \
     "lambda in du/dt = -lambda u; friction and drag are rates, so they can only dissipate")                            \
@@ -19,6 +21,8 @@
   X(cell_measure, RIFFLE_SCALAR, 0, "md", "length, area or volume of the domain that the particle stands for at t = 0") \
   X(depth, RIFFLE_SCALAR, 0, "m", "water depth h, normal to the bed in shallow-water sets")                            \
   X(volume, RIFFLE_SCALAR, 0, "m.md", "water carried by a shallow-water particle: depth times length or area")         \
+  X(extent, RIFFLE_SCALAR, 0, "md", "length or area that a shallow-water particle stands for: volume over depth")       \
+  X(momentum, RIFFLE_VECTOR, 0, "m2.md.s-1", "volume times velocity, in sets that evolve it")                          \
   X(mass, RIFFLE_SCALAR, 0, "kg.m-3.md", "mass carried by a particle")                                                 \
   X(density, RIFFLE_SCALAR, 0, "kg.m-3", "density of the water")                                                       \
   X(density_rate, RIFFLE_SCALAR, RIFFLE_ACCUMULATES, "kg.m-3.s-1", "rate of change of density")                        \

@@ -90,6 +90,7 @@ class RadialKernel {
   void evaluate_in(std::int64_t n, const double* r, const double* inverse_l, std::uint32_t want,
                    double* const* out) const {
     if (want == (RIFFLE_W | RIFFLE_F)) return both<dim>(n, r, inverse_l, out[0], out[1]);
+    if (want == (RIFFLE_W | RIFFLE_W_L | RIFFLE_W_LL)) return in_l<dim>(n, r, inverse_l, out[0], out[2], out[5]);
     const auto w = [](double q) { return Kernel::template w<dim>(q); };
     const auto w1 = [](double q) { return Kernel::template w1<dim>(q); };
     const auto w2 = [](double q) { return Kernel::template w2<dim>(q); };
@@ -114,6 +115,20 @@ class RadialKernel {
       const double a = inverse_l[k], q = r[k] * a, scale = sigma * raised<dim>(a);
       w[k] = scale * Kernel::template w<dim>(q);
       f[k] = scale * a * a * Kernel::template w1<dim>(q);
+    }
+  }
+
+  // W and its derivatives to l together, as Newton's method for the support wants them.
+  template <int dim>
+  void in_l(std::int64_t n, const double* r, const double* inverse_l, double* w, double* w_l, double* w_ll) const {
+    const double sigma = sigma_;
+#pragma omp simd
+    for (std::int64_t k = 0; k < n; ++k) {
+      const double a = inverse_l[k], q = r[k] * a, scale = sigma * raised<dim>(a);
+      const double shape = Kernel::template w<dim>(q), slope = q * q * Kernel::template w1<dim>(q);
+      w[k] = scale * shape;
+      w_l[k] = -scale * a * (dim * shape + slope);
+      w_ll[k] = scale * a * a * (dim * (dim + 1) * shape + 2 * (dim + 1) * slope + q * q * Kernel::template w2<dim>(q));
     }
   }
 

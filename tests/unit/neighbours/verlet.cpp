@@ -11,8 +11,8 @@ namespace riffle::test {
 
 namespace {
 
-using Setting = std::tuple<int, Lengths, Reach>;
-class Verlet : public testing::TestWithParam<Setting> {};
+using VerletSetting = std::tuple<int, Lengths, Reach>;
+class Verlet : public testing::TestWithParam<VerletSetting> {};
 
 // An image has the role and the smoothing length of its origin and moves no further than the owned particles do.
 void make_images_alike(Particles& particles) {

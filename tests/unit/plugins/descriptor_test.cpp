@@ -69,7 +69,7 @@ const riffle_read distance_at_i{sizeof(riffle_read), RIFFLE_AT_I, 0, 0, &fields:
 const riffle_write sum_pair_field{sizeof(riffle_write), RIFFLE_SUM, 0, 0, &fields::viscous_pressure};
 const riffle_write set_distance{sizeof(riffle_write), RIFFLE_SET, 0, 0, &fields::distance};
 const riffle_write add_depth{sizeof(riffle_write), RIFFLE_SUM, 0, 0, &fields::depth};
-const riffle_evolved wrong_rate{sizeof(riffle_evolved), 0, &fields::depth, &fields::velocity, nullptr};
+const riffle_evolved wrong_rate{sizeof(riffle_evolved), 0, &fields::depth, &fields::velocity, nullptr, nullptr};
 const riffle_iteration iteration{sizeof(riffle_iteration), 0, "support", &fields::depth, "coefficient", "steps"};
 
 void make_pair_pass(Toy& t) {

@@ -1,4 +1,6 @@
 // What is one sweep, and where a sweep must end.
+#include <omp.h>
+
 #include "tests/unit/schedule/world.hpp"
 
 namespace riffle::test {
@@ -217,6 +219,28 @@ TEST(Iteration, StopsAtItsLargestNumber) {
   World world(Toys(2).add<ToyKernel>().add<Coupled>({{"most", 3}}), {.wanted = {"a"}, .written_length = true});
   world.compute({"smoothing_length"});
   EXPECT_EQ(world.evaluator->evaluations(), 3 * 300);
+}
+
+// One particle of 6000 has moved: its neighbours need the 40 halvings of the error to 1e-12, all others one look.
+TEST(Iteration, ParticlesThatHaveConvergedRestWhateverTheChunks) {
+  omp_set_num_threads(1);  // some hundred sweeps over few particles
+  std::vector<double> results[2];
+  for (const std::int64_t chunk : {256, 7}) {
+    World world(Toys(1).add<ToyKernel>().add<Coupled>(), {.dim = 1,
+                                                          .per_role = {6000, 0, 0, 0, 0, 0},
+                                                          .wanted = {"a"},
+                                                          .written_length = true,
+                                                          .runner = {.chunk = chunk}});
+    world.compute({"smoothing_length"});
+    const std::int64_t before = world.evaluator->evaluations();
+    world.store.data("position")[3000] += 1e-5;
+    world.changed("position");
+    world.compute({"smoothing_length"});
+    EXPECT_GT(world.evaluator->evaluations() - before, 6000);
+    EXPECT_LT(world.evaluator->evaluations() - before, 4 * 6000);
+    results[chunk == 7 ? 1 : 0] = world.values("smoothing_length");
+  }
+  EXPECT_EQ(results[0], results[1]);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 namespace riffle::test {
 namespace {
 
-constexpr riffle_field weight = scalar_field("weight", "1", "something to sum");
 constexpr riffle_field half_term = scalar_field("half_term", "1", "of a closure", RIFFLE_PER_PAIR);
 constexpr riffle_field entry = scalar_field("entry", "1", "of a matrix", RIFFLE_PER_PAIR);
 constexpr riffle_field row_sum = scalar_field("row_sum", "1", "sum of a row");

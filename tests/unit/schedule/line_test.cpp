@@ -1,10 +1,9 @@
 // One dimension along the line: particles of other roles beyond the ends of the water, as open boundaries have them.
 #include "tests/unit/schedule/world.hpp"
 
-namespace riffle::test {
+namespace riffle::test::line {
 namespace {
 
-constexpr riffle_field weight = scalar_field("weight", "1", "something to sum");
 constexpr riffle_field by_gather = scalar_field("by_gather", "1", "sum over r < kappa l_i");
 constexpr riffle_field by_either = scalar_field("by_either", "1", "sum over r < kappa max(l_i, l_j)");
 constexpr riffle_field without_inflow = scalar_field("without_inflow", "1", "sum over all but inflow");
@@ -95,4 +94,4 @@ TEST_F(Line, ListAndLineGiveTheSameSumsToRoundOff) {
 }
 
 }  // namespace
-}  // namespace riffle::test
+}  // namespace riffle::test::line

@@ -4,7 +4,6 @@
 namespace riffle::test {
 namespace {
 
-constexpr riffle_field weight = scalar_field("weight", "1", "something to look at");
 constexpr riffle_field seen = scalar_field("seen", "1", "sum over the neighbours", RIFFLE_ACCUMULATES);
 constexpr riffle_field learnt = scalar_field("learnt", "1", "what walls take from water");
 constexpr riffle_field marked = scalar_field("marked", "1", "by one pass per role");

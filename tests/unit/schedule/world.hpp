@@ -44,6 +44,9 @@ struct ToyKernel : RadialKernel<ToyKernel> {
   }
 };
 
+// What most toys look at.
+inline constexpr riffle_field weight = scalar_field("weight", "1", "something to sum");
+
 // Sum, least or largest over the neighbours of one thing that is read of each pair.
 template <const riffle_field& Out, std::uint32_t Where, const riffle_field& In, std::uint32_t How = RIFFLE_SUM,
           std::uint32_t Neighbours = RIFFLE_GATHER, std::uint32_t Flags = 0, std::uint32_t Targets = 0,

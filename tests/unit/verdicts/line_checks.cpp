@@ -15,8 +15,14 @@ TEST(Overtakings, AreNoneWhenParticlesOnlyComeAndGo) {
 
 TEST(Overtakings, CountParticlesThatFellBehind) {
   EXPECT_EQ(overtakings({1, 2, 3, 4}, {1, 3, 2, 4}), 1);
-  EXPECT_EQ(overtakings({1, 2, 3, 4}, {4, 1, 2, 3}), 3) << "one passed three";
-  EXPECT_EQ(overtakings({7, 3, 5}, {5, 9, 3, 7}), 2) << "ids need no order, and new ones do not count";
+  EXPECT_EQ(overtakings({1, 2, 3, 4}, {1, 4, 2, 3}), 2) << "one passed two";
+  EXPECT_EQ(overtakings({7, 3, 5}, {7, 9, 5, 3}), 1) << "ids need no order, and new ones do not count";
+}
+
+TEST(Overtakings, AreNotWhatAChannelClosedToARingDoes) {
+  EXPECT_EQ(overtakings({1, 2, 3, 4}, {4, 1, 2, 3}), 0) << "one left at the end and came in at the beginning";
+  EXPECT_EQ(overtakings({1, 2, 3, 4}, {3, 4, 1, 2}), 0);
+  EXPECT_EQ(overtakings({1, 2, 3, 4}, {4, 2, 1, 3}), 1) << "the others must keep their order all the same";
 }
 
 TEST(LookAlong, FindsWaterThatSeesNobodyOnOneSideUnlessItIsTheEnd) {

@@ -51,8 +51,8 @@ constexpr riffle_field vector_field(const char* name, const char* unit, const ch
   return {sizeof(riffle_field), RIFFLE_VECTOR, flags, 0, name, unit, meaning};
 }
 constexpr riffle_evolved evolved_field(const riffle_field& field, const riffle_field& rate,
-                                       const riffle_field* damping = nullptr) {
-  return {sizeof(riffle_evolved), 0, &field, &rate, damping};
+                                       const riffle_field* damping = nullptr, const char* when = nullptr) {
+  return {sizeof(riffle_evolved), 0, &field, &rate, damping, when};
 }
 
 template <class... P>
