@@ -13,7 +13,8 @@ struct Boundaries::Context {
   ParticleStore* store = nullptr;
   Evaluator* evaluator = nullptr;
   std::vector<Image>* images = nullptr;  // in `images` only
-  std::string conserved;                 // field of the ledger, or empty
+  std::set<int>* written = nullptr;
+  std::string conserved;  // field of the ledger, or empty
   std::int64_t count = 0, added = 0;
   std::map<std::int64_t, std::uint32_t> retagged;  // and the roles of added particles
   std::vector<char> removed;
@@ -57,6 +58,34 @@ Boundaries::Boundaries(const Graph& graph, ParticleStore& store)
     : graph_(graph), store_(store), next_id_(store.owned()) {
   for (const auto& plugin : graph.plugins())
     state_.emplace_back(static_cast<std::size_t>(std::max(0, plugin.table->state_size)), 0.0);
+  std::set<int> read;
+  for (std::size_t n = 0; n < graph.nodes().size(); ++n) {
+    const std::vector<int> fields = graph.particle_reads(static_cast<int>(n), true);
+    read.insert(fields.begin(), fields.end());
+  }
+  for (const int f : read) {
+    const GraphField& field = graph.fields()[static_cast<std::size_t>(f)];
+    if (!field.evolved && !field.attribute && field.description.name != "smoothing_length") followed_.push_back(f);
+  }
+}
+
+// What passes make of the water and read of neighbours (factors, gradients) nobody makes of buffers in one dimension:
+// they take it from the water next to them, unless their boundary says otherwise.
+void Boundaries::follow_water() {
+  const std::int64_t water = store_.role_begin(1);
+  if (store_.dim() != 1 || water == 0 || !has_buffers()) return;
+  const double* x = store_.data("position");
+  const double middle = 0.5 * (x[0] + x[water - 1]);
+  for (const int f : followed_) {
+    Field* field = store_.find(graph_.name(f));
+    if (field == nullptr || written_.count(f) != 0) continue;
+    for (auto& component : field->component) {
+      double* values = component.data();
+      for (std::int64_t i = store_.role_begin(2); i < store_.role_begin(4); ++i)
+        values[i] = x[i] < middle ? values[0] : values[water - 1];
+    }
+    evaluator_->changed(f);
+  }
 }
 
 void Boundaries::connect(Evaluator& evaluator, Neighbourhood& neighbourhood) {
@@ -88,12 +117,21 @@ void Boundaries::enter_exchange(double before) {
 
 void Boundaries::begin(double time) {
   call(Call::begin, time, 0, nullptr);
+  if (has_buffers()) {  // which need what the passes make of the water, before the first step
+    std::vector<int> rates;
+    for (const auto& e : graph_.evolved()) rates.push_back(e.rate);
+    evaluator_->compute(rates, time, 0);
+    follow_water();
+    evaluator_->everything_changed();
+  }
   ledger_ = Ledger{};
   ledger_.initial = inside();
 }
 
 bool Boundaries::edit(double time, double dt) {
-  return call(Call::edit, time, dt, nullptr);
+  const bool edited = call(Call::edit, time, dt, nullptr);
+  follow_water();
+  return edited;
 }
 
 void Boundaries::images(std::vector<Image>& images) {
@@ -113,6 +151,7 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
     context.store = &store_;
     context.evaluator = evaluator_;
     context.images = images;
+    context.written = &written_;
     context.count = store_.owned();
     if (graph_.conserved() >= 0) context.conserved = graph_.name(graph_.conserved());
     riffle_editor editor{};
@@ -141,7 +180,9 @@ bool Boundaries::call(Call which, double time, double dt, std::vector<Image>* im
         const double* amount = field->component[0].data();
         context.amounts.assign(amount, amount + context.count);
       }
-      context.evaluator->changed(context.evaluator->graph().field(name));
+      const int index = context.evaluator->graph().field(name);
+      context.written->insert(index);
+      context.evaluator->changed(index);
       return field->component[static_cast<std::size_t>(component)].data();
     };
     editor.add = [](void* c, std::uint32_t role, std::int64_t like) noexcept -> std::int64_t {

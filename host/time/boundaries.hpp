@@ -2,6 +2,7 @@
 // for images, and keeps the mass ledger of what they do.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ class Boundaries {
   [[nodiscard]] double inside_before_exchange() const { return exchanges() ? inside() : 0; }
   void enter_exchange(double before);
   [[nodiscard]] std::vector<double>& state(std::size_t plugin) { return state_[plugin]; }
+  // Graph indices of the fields that boundaries have written; part of the state.
+  [[nodiscard]] std::set<int>& written() { return written_; }
   void particles_replaced() { roles_changed_ = true; }  // by those of a checkpoint
   [[nodiscard]] std::int64_t& next_id() { return next_id_; }
 
@@ -50,6 +53,8 @@ class Boundaries {
   void update_roles();
   void enter_changes(const Context& context);
   [[nodiscard]] bool exchanges() const;
+  void follow_water();
+  [[nodiscard]] bool has_buffers() const { return store_.role_begin(2) < store_.role_begin(4); }
 
   const Graph& graph_;
   ParticleStore& store_;
@@ -59,6 +64,8 @@ class Boundaries {
   bool roles_changed_ = true;
   std::vector<double> reach_;
   std::vector<std::vector<double>> state_;  // per plugin of the graph
+  std::vector<int> followed_;               // fields of buffers that follow the water unless a boundary writes them
+  std::set<int> written_;
   Ledger ledger_;
   std::int64_t next_id_ = 0;
 };

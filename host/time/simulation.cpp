@@ -280,6 +280,7 @@ SimulationState Simulation::state() const {
       s.reals["others." + name + "." + std::to_string(c)].assign(values, values + others);
     }
   }
+  s.integers["boundary_fields"] = {boundaries_->written().begin(), boundaries_->written().end()};
   s.integers["ids"] = store_.ids();
   auto& roles = s.integers["particles_per_role"];
   for (int r = 0; r < role_count; ++r) roles.push_back(store_.role_begin(r + 1) - store_.role_begin(r));
@@ -347,6 +348,8 @@ void Simulation::restore(const SimulationState& s) {
                                graph_->plugins()[p].id + ": it is not of this case");
     numbers = saved;
   }
+  const auto& written = integers("boundary_fields");
+  boundaries_->written() = {written.begin(), written.end()};
   const auto& counters = integers("counters");
   time_ = reals("time").at(0);
   last_dt_ = reals("time").at(1);
