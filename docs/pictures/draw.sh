@@ -30,3 +30,30 @@ plot "wet-0.5/profile.csv" using "x":"depth_exact" with lines lw 2 lc rgb "#0072
      "quintic/profile.csv" using "x":"depth" every 12 with points pt 6 ps 0.9 lc rgb "#009e73" title "quintic-spline, l = 2 dx"
 END
 cp kernels.png "$root/docs/pictures/kernels.png"
+
+# Open channel: one run each, its own picture
+for case in step/steady hump/supercritical hump/transcritical hump/transcritical-shock contraction/subcritical \
+  contraction/transcritical parshall/flume; do
+  name=${case//\//-}
+  "$riffle" run "$root/cases/$case.toml" --out "$folder/$name" --threads 1 --quiet
+  cp "$folder/$name/picture.png" "$root/docs/pictures/$name.png"
+done
+
+# The jump of test 4 with what was measured
+"$riffle" run "$root/cases/hydraulic-jump/fr4.23.toml" --out "$folder/hydraulic-jump-fr4.23" --threads 1 --quiet
+cp "$root/cases/hydraulic-jump/test4-profile.csv" .
+gnuplot <<'END'
+set datafile separator comma
+set terminal pngcairo size 1400,560 font "sans,14" linewidth 1.5
+set output "jump-fr4.23.png"
+set xlabel "x [m]"
+set ylabel "depth [m]"
+set xrange [0.3:4.5]
+set yrange [0:0.26]
+set key bottom right
+set grid lc rgb "#e2e2e2"
+plot "hydraulic-jump-fr4.23/profile.csv" using "x":"depth_exact" with lines lw 2 lc rgb "#0072b2" title "exact (steady-flow)", \
+     "hydraulic-jump-fr4.23/profile.csv" using "x":"depth" with points pt 7 ps 0.8 lc rgb "#d55e00" title "computed", \
+     "test4-profile.csv" using "x_m":"h_m" with points pt 6 ps 1.6 lw 1.5 lc rgb "#1a1a1a" title "measured (Gharangik and Chaudhry 1991, test 4)"
+END
+cp jump-fr4.23.png "$root/docs/pictures/jump-fr4.23.png"

@@ -18,8 +18,12 @@ const double* second_axis(const Block& b) {
   return b.dim() == 3 ? b.in(0, 1) : nullptr;
 }
 
+// Water, and the buffers beyond open ends, whose bed and width their neighbours see.
+constexpr std::uint32_t with_ends = RIFFLE_FLUID | RIFFLE_INFLOW | RIFFLE_OUTFLOW;
+
 struct BedLevel {
   static constexpr auto pass_name = "bed level";
+  static constexpr std::uint32_t targets = with_ends;
   static constexpr riffle_read reads[] = {at_i(f::position)};
   static constexpr riffle_write writes[] = {set(f::bed_level)};
   static void run(const TerrainFields& t, const Block& b) {
@@ -29,6 +33,7 @@ struct BedLevel {
 
 struct BedSlope {
   static constexpr auto pass_name = "bed slope";
+  static constexpr std::uint32_t targets = with_ends;
   static constexpr riffle_read reads[] = {at_i(f::position)};
   static constexpr riffle_write writes[] = {set(f::bed_slope)};
   static void run(const TerrainFields& t, const Block& b) {
@@ -59,6 +64,7 @@ struct SmoothedBedSlope {
 
 struct WaterLevel {
   static constexpr auto pass_name = "water level";
+  static constexpr std::uint32_t targets = with_ends;
   static constexpr riffle_read reads[] = {at_i(f::depth), at_i(f::bed_level)};
   static constexpr riffle_write writes[] = {set(f::water_level)};
   static void run(const TerrainFields&, const Block& b) { RIFFLE_EACH(k, b) b.out(0)[k] = b.in(0)[k] + b.in(1)[k]; }
@@ -66,6 +72,7 @@ struct WaterLevel {
 
 struct ChannelWidth {
   static constexpr auto pass_name = "channel width";
+  static constexpr std::uint32_t targets = with_ends;
   static constexpr riffle_read reads[] = {at_i(f::position)};
   static constexpr riffle_write writes[] = {set(f::channel_width), set(f::width_slope)};
   static void run(const TerrainFields& t, const Block& b) { t.terrain().width(b.size(), b.in(0), b.out(0), b.out(1)); }

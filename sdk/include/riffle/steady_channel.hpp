@@ -120,8 +120,8 @@ class SteadyChannel {
           "depth_downstream is below the critical depth there, and a supercritical outflow "
           "takes its depth from upstream; leave it out");
     }
-    const double h = d_.depth_downstream > 0 ? d_.depth_downstream : hc;
-    double head = d_.bed(end) + open_channel::specific_energy(h, q, d_.gravity);
+    double head = critical_head(end);
+    if (d_.depth_downstream > 0) head = d_.bed(end) + open_channel::specific_energy(d_.depth_downstream, q, d_.gravity);
     for (std::size_t k = n; k-- > 0;) {
       if (k + 1 < n) head = step(x_[k + 1], x_[k], head, false);
       const double need = critical_head(x_[k]);
@@ -178,7 +178,7 @@ class SteadyChannel {
       if (head < critical_head(x_[j])) return k;
       if (control_[j] != 0) return j + 1;
     }
-    return k;
+    return d_.depth_downstream > 0 ? k : x_.size();  // a free fall holds nothing back
   }
   // Momentum of the supercritical flow beyond that of the subcritical one.
   [[nodiscard]] double excess(double x, double fast_head, double slow_head) const {
