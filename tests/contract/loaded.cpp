@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/dll/shared_library.hpp>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 namespace riffle::contract {
@@ -40,6 +41,14 @@ std::vector<Loaded> load() {
     }
   }
   return found;
+}
+
+// What parameters inherit from a manifest: those of a tank of water, one metre long.
+const std::map<std::string, double>& usual_quantities() {
+  static const std::map<std::string, double> quantities{{"fluid.gravity", 9.81},   {"fluid.density", 1000},
+                                                        {"fluid.viscosity", 1e-6}, {"domain.smoothing_ratio", 1.3},
+                                                        {"domain.x_min", 0},       {"domain.x_max", 1}};
+  return quantities;
 }
 
 // A scene of one metre, without bed and a metre wide.
@@ -100,6 +109,7 @@ Instance::Instance(const riffle_plugin& plugin, int dim, const std::map<std::str
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const riffle_parameter& p = *parameters[k];
     double number = p.type == RIFFLE_CHOICE ? index_of(p.choices, p.fallback_text) : p.fallback;
+    if (p.inherit != nullptr && usual_quantities().count(p.inherit) != 0) number = usual_quantities().at(p.inherit);
     const auto found = given.find(p.name);
     if (found != given.end()) {
       ++used;

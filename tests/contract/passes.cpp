@@ -63,7 +63,7 @@ TEST_P(EveryPass, GivesFiniteValuesAndStaysInItsBlock) {
     const bool extreme = how == RIFFLE_MIN || how == RIFFLE_MAX;
     for (const auto& component : whole.outputs()[w]) {
       for (std::size_t k = 0; k < n; ++k)
-        EXPECT_TRUE(std::isfinite(component[k]) || (extreme && std::isinf(component[k])));
+        EXPECT_TRUE(std::isfinite(component[k]) || (extreme && std::isinf(component[k]))) << component[k];
       for (std::size_t k = n; k < component.size(); ++k) EXPECT_EQ(component[k], canary);
     }
   }
