@@ -78,7 +78,7 @@ struct SweAle {
                    RIFFLE_ABOVE_MIN)};
   static constexpr riffle_field initial[] = {f::depth, f::velocity};
   static constexpr const riffle_field* conserved = &f::volume;
-  static constexpr auto requires_integrator = "predictor-corrector";
+  static constexpr auto requires_integrator = "ssp-rk2|ssp-rk3|predictor-corrector";
   static constexpr riffle_evolved evolved[] = {
       riffle::evolved_field(f::volume, volume_rate), riffle::evolved_field(f::momentum, momentum_rate, &f::drag_rate),
       riffle::evolved_field(f::extent, extent_rate, nullptr, "motion=lagrangian"),

@@ -15,7 +15,8 @@ class Variational(Scene):
         """The record and the rows of the profile of a run with the given settings."""
         options = [word for s in ("output.picture=false", *sets) for word in ("--set", s)]
         out = self.home / f"run{len(list(self.home.iterdir()))}"
-        self.riffle("run", self.case(f"best/{case}"), "--quiet", "--threads", 1, "--out", out, *options)
+        folder = "best" if case == "dry" else "variational"
+        self.riffle("run", self.case(f"{folder}/{case}"), "--quiet", "--threads", 1, "--out", out, *options)
         with open(out / "profile.csv") as file:
             rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(r for r in file if r[0] != "#")]
         return self.record(out), rows
