@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "host/output/picture.hpp"
 #include "host/output/profiles.hpp"
@@ -219,7 +220,11 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
   record.manifest = scene.effective;
   record.resumed_from = report.resumed_from;
   record.threads = omp_get_max_threads();
-  record.neighbours = neighbour_statistics(simulation);
+  try {
+    record.neighbours = neighbour_statistics(simulation);
+  } catch (const std::runtime_error&) {  // supports too large for any list: the verdicts say so, and need this record
+    record.neighbours.reset();
+  }
   record.bytes_per_particle =
       static_cast<double>(simulation.bytes()) / std::max<double>(1, static_cast<double>(record.particles));
   record.seconds.list = simulation.evaluator().list_seconds();

@@ -3,10 +3,22 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "host/schedule/run_error.hpp"
+
 namespace riffle {
 
 namespace {
 constexpr std::int64_t builds_between_sorts = 8;  // order in memory decays slowly; sorting costs a third of a build
+
+// Particles that have flown apart or are no numbers cannot be searched: the run has failed, not the program.
+template <class Search>
+auto searched(const Search& search) {
+  try {
+    return search();
+  } catch (const std::runtime_error& error) {
+    throw RunError(error.what());
+  }
+}
 
 bool same(const NeighbourRequest& a, const NeighbourRequest& b) {
   return a.reach == b.reach && a.targets == b.targets && a.sources == b.sources;
@@ -35,7 +47,7 @@ const NeighbourList& Neighbourhood::list(const NeighbourRequest& request) const 
   for (const auto& entry : lists_) {
     if (!same(entry->request, request)) continue;
     if (!entry->current) {
-      riffle::build(view(), kappa_, skin_, request, entry->list);
+      searched([&] { riffle::build(view(), kappa_, skin_, request, entry->list); });
       entry->current = true;
     }
     return entry->list;
@@ -103,7 +115,7 @@ void Neighbourhood::sort() {
   }
   const double* l = store_.data("smoothing_length");
   const double largest = store_.owned() > 0 ? *std::max_element(l, l + store_.owned()) : 0;
-  if (largest > 0) store_.permute(cell_order(view(), kappa_ * largest));
+  if (largest > 0) store_.permute(searched([&] { return cell_order(view(), kappa_ * largest); }));
 }
 
 void Neighbourhood::build() {
@@ -126,7 +138,7 @@ void Neighbourhood::build() {
   for (auto& entry : lists_) {
     entry->current = false;
     if (store_.dim() == 1) continue;
-    riffle::build(view(), kappa_, skin_, entry->request, entry->list);
+    searched([&] { riffle::build(view(), kappa_, skin_, entry->request, entry->list); });
     entry->check.remember(view(), kappa_, skin_, entry->request);
     entry->current = true;
   }

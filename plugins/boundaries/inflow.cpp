@@ -1,7 +1,7 @@
 // Inflow into a channel: a discharge, and a depth where the flow needs one, imposed by buffer particles.
 //
-// Subcritical water tells the inlet what happens downstream: the invariant R = u - 2 c, taken from the third water
-// particle, leaves the domain, so with the discharge alone the depth follows from
+// Subcritical water tells the inlet what happens downstream: the invariant R = u - 2 c, taken from the third and
+// sixth water particle, leaves the domain, so with the discharge alone the depth follows from
 //   q / h - 2 sqrt(g h) = R,   q = Q / B            (Newton; the root is unique)
 // but not below the critical depth (q^2 / g)^(1/3). Supercritical water tells it nothing: depth and discharge are imposed.
 // Which of the two holds is found at each step: a depth that makes the inflow supercritical is imposed until the water
@@ -42,17 +42,17 @@ struct Inflow {
                                   std::to_string(in.velocity) + " m/s at a depth of " + std::to_string(in.depth) +
                                   " m), so it needs a depth beside the discharge");
     }
-    end.impose(e, state(e, in));
+    end.impose(e, state(e, in, in));
   }
-  void edit(const riffle_editor& e) const { end.impose(e, state(e, end.inside(e))); }
+  void edit(const riffle_editor& e) const { end.impose(e, state(e, end.inside(e), end.at_end(e))); }
 
-  [[nodiscard]] riffle::FlowState state(const riffle_editor& e, riffle::FlowState in) const {
+  [[nodiscard]] riffle::FlowState state(const riffle_editor& e, riffle::FlowState in, riffle::FlowState at_end) const {
     const double lattice = end.lattice_factor(e), total = end.value(discharge, e.time);
     if (!(total >= 0))
       throw std::invalid_argument("the discharge must not be negative, and is " + std::to_string(total) +
                                   " m3/s at t = " + std::to_string(e.time) + " s; let water out with outflow");
     const double q = lattice * total / end.width();
-    const double h = std::max({depth_of(q, in.velocity - 2 * end.wave_speed(in.depth), in.depth),
+    const double h = std::max({depth_of(q, at_end.velocity - 2 * end.wave_speed(at_end.depth), in.depth),
                                std::cbrt(q * q / gravity), 1e-6 * in.depth});
     if (depth != nullptr) {
       const double imposed = lattice * end.value(depth, e.time);

@@ -1,6 +1,6 @@
 // Outflow from a channel: a depth, a level, or nothing imposed, as the flow allows, by buffer particles.
 //
-// Velocities count positive into the domain, so the invariant R = u - 2 c, taken from the third water particle, leaves it.
+// Velocities count positive into the domain, so the invariant R = u - 2 c, taken from the third and sixth water particle, leaves it.
 //   depth, level     u = R + 2 c_d at the imposed depth; where that is faster than its waves, critical: c = -R / 3, as at a
 //                    free overfall. Water enters when the depth outside is larger.
 //   non-reflecting   u = (R + R_0) / 2, c = (R_0 - R) / 4, with R_0 = u + 2 c of the water at the end at t = 0
@@ -61,9 +61,9 @@ struct Outflow {
                                     std::to_string(0.5 * in.depth * (std::sqrt(1 + 8 * froude2) - 1)) + " m");
       }
     }
-    end.impose(e, state(e, in));
+    end.impose(e, state(e, in, in));
   }
-  void edit(const riffle_editor& e) const { end.impose(e, state(e, end.inside(e))); }
+  void edit(const riffle_editor& e) const { end.impose(e, state(e, end.inside(e), end.at_end(e))); }
 
   [[nodiscard]] bool supercritical(riffle::FlowState in) const {
     return in.depth > 0 && in.velocity <= -end.wave_speed(in.depth);
@@ -76,8 +76,8 @@ struct Outflow {
     return d;
   }
 
-  [[nodiscard]] riffle::FlowState state(const riffle_editor& e, riffle::FlowState in) const {
-    const double lattice = end.lattice_factor(e), leaving = in.velocity - 2 * end.wave_speed(in.depth);
+  [[nodiscard]] riffle::FlowState state(const riffle_editor& e, riffle::FlowState in, riffle::FlowState at_end) const {
+    const double lattice = end.lattice_factor(e), leaving = at_end.velocity - 2 * end.wave_speed(at_end.depth);
     if (imposed == nullptr) {
       if (condition == "free" || supercritical(in)) return in;
       const double entering = e.state[remembered] + 2 * end.wave_speed(lattice * e.state[remembered + 1]);

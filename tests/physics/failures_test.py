@@ -15,6 +15,19 @@ class Failures(Channel):
         self.riffle("run", self.case(case), "--quiet", "--threads", 1, "--out", out, *options)
         return self.record(out)
 
+    def scheme(self, equations, *sets, code=0):
+        """The wet dam break with 500 particles of equal volume and the support of one spacing."""
+        text = Path(self.case("wet-0.1")).read_text()
+        at = {name: text.index(f"[plugins.{name}]") for name in ("equations", "kernel", "viscosity", "boundary")}
+        path = self.home / "scheme.toml"
+        path.write_text(text[:at["equations"]] + equations + text[at["kernel"]:at["viscosity"]] + text[at["boundary"]:])
+        out = self.home / f"run{len(list(self.home.iterdir()))}"
+        usual = ('initial.particles={ count = 500, placement = "equal-volume" }', "domain.smoothing_ratio=1",
+                 "output.picture=false")
+        options = [w for s in usual + sets for w in ("--set", s)]
+        self.riffle("run", path, "--quiet", "--threads", 1, "--out", out, *options, code=code)
+        return self.record(out)
+
     @staticmethod
     def doubts(record):
         return {v["name"] for v in record["verdicts"] if v["severity"] == "suspect"}
@@ -70,6 +83,33 @@ class Failures(Channel):
             with self.subTest(kernel=kernel, ratio=ratio):
                 record = self.dam_break(*calm, f"plugins.kernel.id={kernel}", f"domain.smoothing_ratio={ratio}", count=200)
                 self.assertEqual("spacing" in self.doubts(record), pairs)
+
+    VARIATIONAL = '[plugins.equations]\nid = "swe-variational"\n[plugins.viscosity]\nid = "riemann-muscl"\n'
+    LAGRANGIAN = '[plugins.equations]\nid = "swe-ale"\n'
+    FIXED = '[plugins.equations]\nid = "swe-ale"\nmotion = "fixed"\n'
+
+    def test_variational_particles_fly_apart_beyond_the_viscous_limit(self):
+        # the support follows the depth, so it grows without end: the search for neighbours gives up, and says so
+        self.assertEqual(self.doubts(self.scheme(self.VARIATIONAL, "time.step=0.008")), set())
+        wrong = self.scheme(self.VARIATIONAL, "time.step=0.012", code=1)
+        self.assertEqual(wrong["status"], "failed")
+        self.assertIn("more than 1000 neighbours", wrong["message"])
+
+    def test_variational_without_dissipation_loses_neighbours_at_the_shock(self):
+        wrong = self.scheme(self.VARIATIONAL, "plugins.viscosity.id=none")
+        self.assertGreater(self.l2(wrong), 0.3)
+        self.assertGreaterEqual(self.doubts(wrong), {"neighbours", "support"})
+
+    def test_riemann_fluxes_between_moving_particles_fail_beyond_their_courant_number(self):
+        self.assertEqual(self.doubts(self.scheme(self.LAGRANGIAN, "time.cfl=1")), set())
+        wrong = self.scheme(self.LAGRANGIAN, "time.cfl=2", code=1)
+        self.assertIn("time step", wrong["message"])
+
+    def test_between_fixed_ones_depths_turn_negative(self):
+        equal = 'initial.particles={ count = 500, placement = "equal-spacing" }'
+        self.assertEqual(self.doubts(self.scheme(self.FIXED, equal, "time.cfl=1")), set())
+        wrong = self.scheme(self.FIXED, equal, "time.cfl=2", "time.max_steps=1000")
+        self.assertGreaterEqual(self.doubts(wrong), {"depth", "energy"})
 
     def test_a_bed_slope_at_the_particle_sets_a_lake_over_a_step_in_motion(self):
         lake = {"depth": "x < 10 ? 3 : 2", "velocity": "0", "end": 2, "count": 400}

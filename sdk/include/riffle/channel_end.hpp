@@ -57,9 +57,20 @@ class ChannelEnd {
   // The third water particle from the end: far enough from the buffer to show what the water itself does.
   [[nodiscard]] FlowState inside(const riffle_editor& e) const {
     const std::vector<std::int64_t> water = nearest_water(e);
-    if (water.empty()) return {};
-    const std::int64_t k = water[std::min<std::size_t>(2, water.size() - 1)];
-    return {read(e, "depth")[k], inward_ * read(e, "velocity")[k]};
+    return water.empty() ? FlowState{} : state_of(e, water[std::min<std::size_t>(2, water.size() - 1)]);
+  }
+
+  // The same, extended to the end along the line through the third and the sixth particle, without which waves come back
+  // with a part of their height; at a shock, where a line would lead astray, the third alone.
+  [[nodiscard]] FlowState at_end(const riffle_editor& e) const {
+    const std::vector<std::int64_t> water = nearest_water(e);
+    if (water.size() < 6) return inside(e);
+    const double* x = read(e, "position");
+    const FlowState third = state_of(e, water[2]), sixth = state_of(e, water[5]);
+    const double to_end = distance(x[water[2]]), extend = to_end / (distance(x[water[5]]) - to_end);
+    const double dh = third.depth - sixth.depth, du = third.velocity - sixth.velocity;
+    const bool smooth = std::abs(dh) < steepest * third.depth && std::abs(du) < steepest * wave_speed(third.depth);
+    return smooth && extend < 2 ? FlowState{third.depth + extend * dh, third.velocity + extend * du} : third;
   }
 
   // Depths and discharges as a summation sees them are those of the manifest times this. Measured once, at the first
@@ -118,7 +129,11 @@ class ChannelEnd {
     bool is_new = false;
   };
   static constexpr std::size_t most = 10000, looked_at = 16;
+  static constexpr double steepest = 0.2;  // change over three particles that is still taken for a smooth one
 
+  [[nodiscard]] FlowState state_of(const riffle_editor& e, std::int64_t k) const {
+    return {read(e, "depth")[k], inward_ * read(e, "velocity")[k]};
+  }
   [[nodiscard]] double distance(double x) const { return inward_ * (x - x_); }  // positive inside
   // Particles that stand still while the water passes have a length of their own that nothing changes.
   static bool fixed(const riffle_editor& e) {
