@@ -1,7 +1,6 @@
-// Maps of stability: a case over two parameters, each point run or filled in from its neighbours, classed, and drawn.
+// Maps of stability: a case over two parameters, its points run where the boundary between classes is looked for.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,41 +11,39 @@
 
 namespace riffle {
 
+// From good to bad.
 enum class StabilityClass { good, inaccurate, suspect, too_slow, blew_up, refused };
-inline constexpr int stability_classes = 6;
+inline constexpr std::size_t stability_classes = 6;
 std::string in_words(StabilityClass of);  // "good", "inaccurate", "suspect", "too slow", "blew up", "refused"
 
-// The worst that holds: refused combinations and crashes come before too slow, suspect and inaccurate.
+// The worst that holds. A run without the number `error` is inaccurate; with `error` empty no run is.
 StabilityClass class_of(const Outcome& outcome, const std::string& error, double error_bound);
 
-// A map of one case and one closure.
+// What is known of a point that was tried.
+struct TriedPoint {
+  StabilityClass of = StabilityClass::good;
+  double error = 0;     // NaN where there is none
+  std::string message;  // why it is not good
+  std::string folder;   // of its run, or empty
+};
+
+// The map of one case and one closure.
 struct StabilityResult {
   std::string case_name, case_title, closure;
-  TracedMap map;
-  std::vector<double> error;         // of tried points, row by row; NaN elsewhere
-  std::vector<std::string> message;  // why a tried point is not good
-  int refused = 0;                   // points that were not run, for the manifest or the schedule refuses them
+  TracedMap map;                   // classes as numbers
+  std::vector<TriedPoint> points;  // of those that were tried, row by row as in the map
+  [[nodiscard]] StabilityClass at(int x, int y) const { return static_cast<StabilityClass>(map.at(x, y)); }
 };
 
-// What a point of the map is before it is run: a plan's point, or why it cannot be run.
-struct MapPoint {
-  StudyPoint point;
-  std::string refusal;
-};
-
-// Runs what is asked for and has not ended yet.
+// Does those of the runs that have not ended.
 using RunPoints = std::function<void(const std::vector<StudyPoint>&)>;
 
-// One map per case and closure of the study. `error` is the number of run.json that is judged.
-std::vector<StabilityResult> map_stability(const Study& study, const TryCombination& attempt, const StudyFolder& folder,
-                                           const std::string& error, const RunPoints& run);
-
-// Throws ManifestError for what is wrong with the study: a key that no point of the map knows, an error that no case has.
-// Returns the number of run.json to judge by: that of the study, or the first of the reference.
+// Throws ManifestError for what is wrong with the study: a key that no corner of the map knows, an error that no case has,
+// more runs than it says without `many`. Returns the number of run.json to judge by, or "".
 std::string check_map(const Study& study, const TryCombination& attempt, bool many);
 
-// <folder>/<case>-<closure>.csv, .svg and .png, stability.md; returns why nothing is drawn, or "".
-std::string write_maps(const Study& study, const std::vector<StabilityResult>& maps, const std::string& error,
-                       const std::filesystem::path& folder);
+// One map per case and closure of the study.
+std::vector<StabilityResult> map_stability(const Study& study, const TryCombination& attempt, const StudyFolder& folder,
+                                           const std::string& error, const RunPoints& run);
 
 }  // namespace riffle
