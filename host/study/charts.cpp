@@ -95,8 +95,9 @@ void chart(Drawing& drawing, const StudyResults& results, const std::vector<Resu
     add(drawing.block(pairs_of(line, error, against_cost)),
         fmt::format("{} title {}", look(line), gnuplot_text(line.label)));
   }
-  if (plots.empty()) return;
+  if (plots.empty() || (!against_cost && !(drawing.xs.low < drawing.xs.high))) return;
   const std::string what = shown_name(results.errors[error]);
+  drawing.script += drawing.xs.settings('x') + drawing.ys.settings('y');
   drawing.script +=
       fmt::format("set output '{}-{}-{}.' . kind\nset title {}\nset xlabel {}\nset ylabel {}\nplot {}\n", name, what,
                   against_cost ? "cost" : "convergence", gnuplot_text(title),
@@ -146,11 +147,17 @@ std::string draw_charts(const StudyResults& results, const std::filesystem::path
       for (const bool against_cost : {true, false}) chart(drawing, results, lines, name, error, against_cost);
     }
   }
+  std::size_t most = 0;  // lines in a legend, for which there must be room
+  for (const std::string& name : cases_of(results)) {
+    most = std::max(most, static_cast<std::size_t>(std::count_if(
+                              lines.begin(), lines.end(), [&](const ResultLine& l) { return l.case_name == name; })));
+  }
+  const int height = std::max(500, static_cast<int>(24 * most) + 90);
   if (drawing.script.empty()) return "no charts are drawn, for no run has an error to draw";
   const std::string settings =
       "set logscale xy\nset format xy '%g'\nset key outside right top vertical Left reverse spacing 1.2 samplen 2\n";
   return draw_with_gnuplot(folder / "charts", "charts",
-                           begin_of_charts(1080, 500) + settings + drawing.script + end_of_charts, drawing.data);
+                           begin_of_charts(1080, height) + settings + drawing.script + end_of_charts, drawing.data);
 }
 
 }  // namespace riffle

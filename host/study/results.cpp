@@ -77,9 +77,9 @@ PointResult result_of(const Study& study, const StudyPlan& plan, const StudyPoin
 // The place of a value in a list, which grows by those that are new.
 template <class Value>
 std::size_t place_in(std::vector<Value>& known, const Value& value) {
-  const auto found = std::find(known.begin(), known.end(), value);
-  if (found == known.end()) known.push_back(value);
-  return static_cast<std::size_t>(found - known.begin());
+  const auto place = static_cast<std::size_t>(std::find(known.begin(), known.end(), value) - known.begin());
+  if (place == known.size()) known.push_back(value);
+  return place;
 }
 
 // Closures by colour and the rest by marks, when charts have enough of both; else colours in turn, then marks.

@@ -3,6 +3,7 @@ import csv
 import os
 import random
 import re
+import resource
 import signal
 import subprocess
 import time
@@ -174,6 +175,23 @@ class Compare(Scene):
         subprocess.run(["bash", "-e"], input=jobs, text=True, cwd="/", check=True, capture_output=True)
         said = self.riffle("compare", name, "--collect")
         self.assertIn("4 combinations, 4 finished", said.stdout)
+
+    def test_the_study_itself_costs_little_beside_its_runs(self):
+        """Of 50 short runs of a quarter of a second; on CPU time, which other work on the machine does not lengthen. What a
+        study does besides is what it does again when all runs have ended. The target is 5 %."""
+        name = self.study(text=STUDY.replace("[100, 200]", "[1600]").replace("time.end = 1", "time.end = 6"),
+                          tables="[vary]\nplugins.kernel.id = [\"cubic-spline\", \"quintic-spline\", \"wendland-c2\", \"wendland-c4\", "
+                          "\"gaussian\"]\ntime.cfl = [0.50, 0.49, 0.48, 0.47, 0.46]\n")
+
+        def seconds():
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.riffle("compare", name, "--quiet")
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+        whole, own = seconds(), seconds()
+        self.assertEqual(len(self.rows()), 50)
+        self.assertLess(own, 0.05 * (whole - own), f"{own:.2f} s beside {whole - own:.2f} s of runs")
 
     def test_shipped_studies_run_at_their_two_coarsest_resolutions(self):
         for source in sorted((SOURCE / "cases").glob("*/*.study.toml")):

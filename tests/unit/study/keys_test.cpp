@@ -1,8 +1,7 @@
-#include "host/study/study_keys.hpp"
-
 #include <gtest/gtest.h>
 
 #include "host/output/atomic_file.hpp"
+#include "host/study/study_keys.hpp"
 
 namespace riffle {
 namespace {
