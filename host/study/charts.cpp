@@ -98,10 +98,12 @@ void chart(Drawing& drawing, const StudyResults& results, const std::vector<Resu
   if (plots.empty() || (!against_cost && !(drawing.xs.low < drawing.xs.high))) return;
   const std::string what = shown_name(results.errors[error]);
   drawing.script += drawing.xs.settings('x') + drawing.ys.settings('y');
+  // Convergence as SVG only: PNG is what takes time, and who needs it draws it again.
   drawing.script +=
-      fmt::format("set output '{}-{}-{}.' . kind\nset title {}\nset xlabel {}\nset ylabel {}\nplot {}\n", name, what,
-                  against_cost ? "cost" : "convergence", gnuplot_text(title),
-                  gnuplot_text(against_cost ? shown_name(results.cost) : "particles"), gnuplot_text(what), plots);
+      fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n{}set output '{}-{}-{}.' . kind\nplot {}\n{}",
+                  gnuplot_text(title), gnuplot_text(against_cost ? shown_name(results.cost) : "particles"),
+                  gnuplot_text(what), against_cost ? "" : "if (kind eq 'svg') {\n", name, what,
+                  against_cost ? "cost" : "convergence", plots, against_cost ? "" : "}\n");
 }
 
 }  // namespace
@@ -117,13 +119,14 @@ std::string begin_of_charts(int width, int height) {
       "do for [kind in 'svg png'] {{\n"
       "if (kind eq 'svg') {{ set terminal svg noenhanced size {},{} font 'sans-serif,13' background rgb 'white' }} "
       "else {{\n"
-      "  set terminal pngcairo noenhanced size {},{} font 'DejaVu Sans,9.75' fontscale 2 linewidth 2 pointscale 2 "
+      "  set terminal pngcairo noenhanced size {},{} font 'DejaVu Sans,9.75' fontscale 1.5 linewidth 1.5 pointscale "
+      "1.5 "
       "background "
       "rgb 'white' }}\n"
       "set border 3 lw 1 lc rgb '#555555'\n"
       "set tics nomirror out scale 0.6 textcolor rgb '#333333'\n"
       "set grid lw 0.7 lt 1 dt 1 lc rgb '#e2e2e2'\n",
-      riffle_version(), width, height, 2 * width, 2 * height);
+      riffle_version(), width, height, 3 * width / 2, 3 * height / 2);
 }
 
 std::string draw_with_gnuplot(const std::filesystem::path& folder, const std::string& stem, const std::string& script,
