@@ -122,20 +122,7 @@ void add_compare(CLI::App& app, int& code) {
   auto* command =
       app.add_subcommand("compare", "Error against cost over closures and resolutions: riffle compare STUDY.toml");
   add_study_options(*command, *request);
-  command->callback([request, &code] {
-    try {
-      code = compare(*request);
-    } catch (const ManifestError& error) {
-      for (const auto& line : error.lines()) std::cerr << line << "\n";
-      code = exit_bad_input;
-    } catch (const Interrupted&) {
-      std::cerr << "interrupted; the same command goes on with the runs that are missing\n";
-      code = exit_failed;
-    } catch (const std::exception& error) {
-      std::cerr << error.what() << "\n";
-      code = exit_bad_input;
-    }
-  });
+  command->callback([request, &code] { code = guarded([&] { return compare(*request); }); });
 }
 
 }  // namespace riffle

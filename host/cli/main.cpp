@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   int code = 0;
   riffle::add_run(app, code);
   riffle::add_compare(app, code);
+  riffle::add_stability(app, code);
   riffle::add_list(app, code);
   riffle::add_describe(app, code);
   riffle::add_explain(app, code);

@@ -56,6 +56,21 @@ std::vector<WantedRun> wanted_runs(const std::vector<StudyPoint>& points, const 
   return runs;
 }
 
+int guarded(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const ManifestError& error) {
+    for (const auto& line : error.lines()) std::cerr << line << "\n";
+    return exit_bad_input;
+  } catch (const Interrupted&) {
+    std::cerr << "interrupted; the same command goes on with the runs that are missing\n";
+    return exit_failed;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return exit_bad_input;
+  }
+}
+
 Launched do_missing(const std::vector<WantedRun>& wanted, const StudyFolder& folder, const StudyRequest& request,
                     const std::string& study, const LaunchOptions& options,
                     const std::function<std::string(const std::string& name)>& describe) {

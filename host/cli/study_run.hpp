@@ -31,6 +31,9 @@ std::filesystem::path folder_of(const StudyRequest& request, const std::string& 
 // The runs of a plan as this request starts them.
 std::vector<WantedRun> wanted_runs(const std::vector<StudyPoint>& points, const StudyRequest& request);
 
+// The exit code of what is done, with every mistake and failure on stderr, a line each.
+int guarded(const std::function<int()>& work);
+
 enum class Launched { done, handed_over };
 // Does what is missing, here or through the launcher, and says so on stderr: a line per run that ends. `describe` gives
 // what to say about one. Throws Interrupted and std::runtime_error.

@@ -1,5 +1,5 @@
-// Still charts for papers and documentation, drawn by gnuplot as the pictures of runs are: charts/<case>-<error>-cost and
-// -convergence, each as .svg and .png. charts/charts.gp and charts.dat stay beside them and draw them again.
+// Still charts for papers and documentation, drawn by gnuplot as the pictures of runs are: charts/<case>-<error>-cost as
+// .svg and .png, and -convergence as .svg. charts/charts.gp and charts.dat stay beside them and draw them again.
 #pragma once
 
 #include <filesystem>

@@ -135,7 +135,7 @@ class Planner {
   void note_errors(const Trial& trial) {
     error_fields_.insert(trial.error_fields.begin(), trial.error_fields.end());
     if (trial.error_fields.empty() || !study_.errors.empty()) return;
-    const std::string first = "errors." + trial.error_fields.front() + ".l1";
+    const std::string first = first_error(trial);
     if (std::find(result_.errors.begin(), result_.errors.end(), first) == result_.errors.end())
       result_.errors.push_back(first);
   }
@@ -155,26 +155,9 @@ class Planner {
                  fmt::format("the baseline \"{}\" is not in the study{}", study_.baseline, hint));
   }
 
-  // Errors against a reference are known beforehand; other numbers of run.json are seen when runs have ended.
   void check_errors(Mistakes& mistakes) {
     if (result_.errors.empty()) result_.errors = study_.errors;
-    if (result_.points.empty()) return;
-    std::vector<std::string> known;
-    for (const std::string& field : error_fields_) {
-      for (const char* norm : {"l1", "l2", "linf"}) known.push_back(fmt::format("errors.{}.{}", field, norm));
-    }
-    for (std::size_t k = 0; k < study_.errors.size(); ++k) {
-      const std::string& error = study_.errors[k];
-      if (error.rfind("errors.", 0) != 0 || std::find(known.begin(), known.end(), error) != known.end()) continue;
-      if (known.empty()) {
-        mistakes.add(study_.error_places[k],
-                     fmt::format("\"{}\" needs a [reference] in a case, and no case has one", error));
-        continue;
-      }
-      std::string hint = did_you_mean(error, known);
-      if (hint.empty()) hint = "; there are " + all_of(known);
-      mistakes.add(study_.error_places[k], fmt::format("no case has \"{}\"{}", error, hint));
-    }
+    if (!result_.points.empty()) riffle::check_errors(study_, {error_fields_.begin(), error_fields_.end()}, mistakes);
   }
 
   const Study& study_;
@@ -204,6 +187,30 @@ std::string folder_name(const std::string& words, const std::string& identity) {
   if (name.size() > enough) name.resize(enough);
   while (!name.empty() && name.back() == '-') name.pop_back();
   return name + '-' + sha256(std::as_bytes(std::span(identity))).substr(0, 10);
+}
+
+std::string first_error(const Trial& trial) {
+  return trial.error_fields.empty() ? "" : "errors." + trial.error_fields.front() + ".l1";
+}
+
+// Errors against a reference are known beforehand; other numbers of run.json are seen when runs have ended.
+void check_errors(const Study& study, const std::vector<std::string>& fields, Mistakes& mistakes) {
+  std::vector<std::string> known;
+  for (const std::string& field : fields) {
+    for (const char* norm : {"l1", "l2", "linf"}) known.push_back(fmt::format("errors.{}.{}", field, norm));
+  }
+  for (std::size_t k = 0; k < study.errors.size(); ++k) {
+    const std::string& error = study.errors[k];
+    if (error.rfind("errors.", 0) != 0 || std::find(known.begin(), known.end(), error) != known.end()) continue;
+    if (known.empty()) {
+      mistakes.add(study.error_places[k],
+                   fmt::format("\"{}\" needs a [reference] in a case, and no case has one", error));
+      continue;
+    }
+    std::string hint = did_you_mean(error, known);
+    if (hint.empty()) hint = "; there are " + all_of(known);
+    mistakes.add(study.error_places[k], fmt::format("no case has \"{}\"{}", error, hint));
+  }
 }
 
 StudyPlan plan_study(const Study& study, const TryCombination& attempt, bool many) {

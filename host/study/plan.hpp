@@ -54,6 +54,11 @@ struct StudyPlan {
 // baseline that is not in it, more runs than it says without `many`.
 StudyPlan plan_study(const Study& study, const TryCombination& attempt, bool many);
 
+// The number of run.json that is judged when the study names none: the first field's error in L1; "" without a reference.
+std::string first_error(const Trial& trial);
+// A mistake for each error of the study that none of the cases compares; `fields` are those that they do.
+void check_errors(const Study& study, const std::vector<std::string>& fields, Mistakes& mistakes);
+
 // A name for files: "wet-0.5-monaghan-1000-0f3a..."; `identity` makes it one of a kind.
 std::string folder_name(const std::string& words, const std::string& identity);
 

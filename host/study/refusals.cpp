@@ -18,7 +18,7 @@ std::string Refusals::note(const SourcePlace& case_place, const std::vector<Stud
   std::string reason;
   std::set<std::string> explained;
   for (const StudyOverride& change : overrides) {
-    Count& count = of_override_[change.place.text() + change.text];
+    Count& count = of_override_[change.place.text() + change.key];
     count.place = change.place;
     ++count.tried;
     for (const std::string& line : lines) {

@@ -10,7 +10,7 @@
 
 namespace riffle {
 
-// An override that is refused in every combination that has it is a mistake at its place in the study. One that other
+// An override, all values of one key at one place taken together, that is refused in every combination that has it is a mistake at its place in the study. One that other
 // combinations take, such as alpha where the viscosity is "none", makes this one meaningless.
 class Refusals {
  public:

@@ -110,7 +110,12 @@ json report_data(const StudyResults& results) {
                                     {"equal_cost_error", finite(relative.error)}});
       }
     }
-    data["lines"].push_back({{"case", line.case_name}, {"label", line.label}, {"points", points}, {"orders", orders}});
+    data["lines"].push_back({{"case", line.case_name},
+                             {"label", line.label},
+                             {"colour", line.colour},
+                             {"mark", line.mark},
+                             {"points", points},
+                             {"orders", orders}});
   }
   for (const std::string& name : cases_of(results)) {
     json fronts = json::array();

@@ -74,6 +74,31 @@ PointResult result_of(const Study& study, const StudyPlan& plan, const StudyPoin
   return result;
 }
 
+// The place of a value in a list, which grows by those that are new.
+template <class Value>
+std::size_t place_in(std::vector<Value>& known, const Value& value) {
+  const auto place = static_cast<std::size_t>(std::find(known.begin(), known.end(), value) - known.begin());
+  if (place == known.size()) known.push_back(value);
+  return place;
+}
+
+// Closures by colour and the rest by marks, when charts have enough of both; else colours in turn, then marks.
+void give_looks(std::vector<ResultLine>& lines) {
+  std::vector<std::string> closures, labels;
+  std::vector<Settings> variants;
+  for (ResultLine& line : lines) {
+    line.colour = place_in(closures, line.points.front()->point.closure);
+    line.mark = place_in(variants, line.points.front()->point.varied);
+  }
+  const bool both = closures.size() > 1 && variants.size() > 1;
+  if (both && closures.size() <= chart_colours && variants.size() <= chart_marks) return;
+  for (ResultLine& line : lines) {
+    const std::size_t turn = place_in(labels, line.label);
+    line.colour = turn % chart_colours;
+    line.mark = turn / chart_colours % chart_marks;
+  }
+}
+
 }  // namespace
 
 std::vector<ResultLine> lines_of(const StudyResults& results) {
@@ -88,6 +113,7 @@ std::vector<ResultLine> lines_of(const StudyResults& results) {
       lines.push_back({result.point.case_name, result.point.case_title, result.point.line, {&result}});
     }
   }
+  give_looks(lines);
   return lines;
 }
 

@@ -34,10 +34,13 @@ struct StudyResults {
   std::vector<Skipped> skipped;
 };
 
+inline constexpr std::size_t chart_colours = 10, chart_marks = 5;
+
 // A line of the charts: the results of one case and one combination of closures, from the coarsest resolution on.
 struct ResultLine {
   std::string case_name, case_title, label;
   std::vector<const PointResult*> points;
+  std::size_t colour = 0, mark = 0;  // how charts show it: by closure and by what else varies, where both do
 };
 
 // In the order of the study. The lines point into the results.

@@ -3,8 +3,10 @@ import csv
 import os
 import random
 import re
+import resource
 import signal
 import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -174,6 +176,24 @@ class Compare(Scene):
         subprocess.run(["bash", "-e"], input=jobs, text=True, cwd="/", check=True, capture_output=True)
         said = self.riffle("compare", name, "--collect")
         self.assertIn("4 combinations, 4 finished", said.stdout)
+
+    def test_the_study_itself_costs_at_most_a_twentieth_of_its_runs(self):
+        # Fifty short runs of an eighth of a second, in ten lines over five resolutions. What a study does besides is what it
+        # does again when all runs have ended, measured in CPU time, which others on the machine do not lengthen.
+        name = self.study(text=STUDY.replace("[100, 200]", "[1200, 1400, 1600, 1800, 2000]").replace("time.end = 1", "time.end = 6")
+                          .replace(', "errors.velocity.l2"', ""),
+                          tables='[vary]\nplugins.kernel.id = ["cubic-spline", "quintic-spline", "wendland-c2", "wendland-c4", "gaussian"]\n')
+
+        def seconds():
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.riffle("compare", name, "--quiet")
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+        whole, own = seconds(), seconds()
+        self.assertEqual(len(self.rows()), 50)
+        self.assertLess(own, 0.05 * (whole - own), f"{own:.2f} s beside {whole - own:.2f} s of runs")
+        print(f"{own:.2f} s beside {whole - own:.2f} s of runs", file=sys.stderr)
 
     def test_shipped_studies_run_at_their_two_coarsest_resolutions(self):
         for source in sorted((SOURCE / "cases").glob("*/*.study.toml")):

@@ -3,13 +3,10 @@
 const data = JSON.parse(document.getElementById('data').textContent);
 const by = (id) => document.getElementById(id);
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000', '#8c8c8c', '#7f3c8d', '#a5aa00'];
-const shapes = ['circle', 'rect', 'triangle', 'rectRot', 'crossRot', 'star'];
-const dashes = [[], [7, 4], [2, 3]];
+const shapes = ['circle', 'rect', 'triangle', 'rectRot', 'star'];
+const dashes = [[], [8, 4], [2, 3], [8, 3, 2, 3], [14, 4]];
 const labels = [...new Set(data.lines.map((line) => line.label))];
-const look = new Map(labels.map((label, k) => [label, {
-  colour: colours[k % colours.length], shape: shapes[Math.floor(k / colours.length) % shapes.length],
-  dash: dashes[Math.floor(k / colours.length) % dashes.length],
-}]));
+const look = new Map(data.lines.map((line) => [line.label, { colour: colours[line.colour], shape: shapes[line.mark], dash: dashes[line.mark] }]));
 const shown = new Set(labels);
 const chosen = { case: data.cases[0] && data.cases[0].name, error: 0, against: 'cost' };
 let chart = null;
@@ -82,8 +79,8 @@ function datasets() {
   return sets;
 }
 
-const axis = (text) => ({
-  type: 'logarithmic', title: { display: true, text },
+const axis = (text, values) => ({
+  type: 'logarithmic', min: Math.min(...values) / 1.2, max: Math.max(...values) * 1.2, title: { display: true, text },
   ticks: { callback: (value) => /^[125]/.test(Number(value).toExponential()) ? number(value) : '' },
 });
 
@@ -92,12 +89,14 @@ function draw() {
   if (chart) chart.destroy();
   by('chart-box').hidden = data.errors.length === 0;
   if (data.errors.length === 0) return;
+  const points = lines().flatMap((line) => line.points.filter(has));
   chart = new Chart(by('chart'), {
     type: 'scatter', data: { datasets: datasets() },
     options: {
       animation: false, maintainAspectRatio: false, responsive: true,
       interaction: { mode: 'nearest', intersect: true },
-      scales: { x: axis(across().name), y: axis(data.errors[chosen.error].name) },
+      scales: { x: axis(across().name, points.map((point) => point[chosen.against])),
+        y: axis(data.errors[chosen.error].name, points.map((point) => point.errors[chosen.error])) },
       plugins: { legend: { display: false }, tooltip: { enabled: false, external: tip, filter: (item) => Boolean(item.dataset.points) } },
       onClick: (event, items) => {
         const item = items.find((one) => chart.data.datasets[one.datasetIndex].points);

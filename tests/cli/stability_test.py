@@ -1,0 +1,83 @@
+"""Maps of stability: classes, pictures, resumption, mistakes."""
+import csv
+import re
+
+from scene import SOURCE, Scene, main
+
+STUDY = """
+[study]
+name = "map"
+cases = "{case}"
+pictures = false
+time_limit = "60 s"
+[set]
+time.end = 20
+time.drag = "explicit"
+initial.particles.count = 50
+plugins.friction.kind = "drag"
+plugins.friction.id = "manning"
+[map]
+error_bound = {bound}
+x = {{ key = "{key}", from = 0.05, to = 1.2, points = 6 }}
+y = {{ key = "time.step", from = 0.05, to = 0.8, points = 6, scale = "logarithmic" }}
+"""
+
+
+class Stability(Scene):
+    def study(self, key="plugins.friction.roughness", bound=1e9, text=STUDY):
+        (self.home / "map.toml").write_text(text.format(case=self.case(), key=key, bound=bound))
+        return "map.toml"
+
+    def rows(self, name="wet-0.5"):
+        with open(self.home / "studies" / "map" / f"{name}.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_explicit_drag_blows_up_where_step_and_roughness_are_large_and_roughness_has_its_range(self):
+        said = self.riffle("stability", self.study())
+        rows = self.rows()
+        self.assertEqual(len(rows), 36)
+        at = {(float(r["plugins.friction.roughness"]), float(r["time.step"])): r for r in rows}
+        steps, roughnesses = sorted({step for _, step in at}), sorted({n for n, _ in at})
+        self.assertEqual(at[roughnesses[0], steps[0]]["class"], "good")
+        self.assertEqual(at[roughnesses[-2], steps[-1]]["class"], "blew up")
+        self.assertRegex(at[roughnesses[-2], steps[-1]]["message"], r"^t = ")
+        # Manning's n ends at 1
+        self.assertEqual({at[roughnesses[-1], step]["class"] for step in steps}, {"refused"})
+        self.assertIn("of 36 points run", said.stdout)
+        for ending in ("svg", "png"):
+            self.assertGreater((self.home / "studies" / "map" / f"wet-0.5.{ending}").stat().st_size, 1000)
+        self.assertIn("blew up", (self.home / "studies" / "map" / "stability.md").read_text())
+        # done once, done for good
+        before = {path: path.stat().st_mtime_ns for path in self.home.glob("studies/map/runs/*/run.json")}
+        self.assertEqual(self.riffle("stability", self.study()).stderr, "")
+        self.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)
+
+    def test_a_bound_on_the_error_decides_what_is_inaccurate(self):
+        self.riffle("stability", self.study(bound=1e-9), "--quiet")
+        self.assertEqual({r["class"] for r in self.rows()} & {"good"}, set())
+        self.assertIn("inaccurate", {r["class"] for r in self.rows()})
+
+    def test_mistakes_are_one_line_at_their_place(self):
+        self.assertEqual(self.riffle("stability", self.study(key="plugins.friction.rougness"), code=2).stderr,
+                         'map.toml:15:1: drag "manning" has no parameter "rougness"; did you mean "roughness"?\n')
+        many = STUDY.replace("points = 6", "points = 100").replace('name = "map"', 'name = "map"\nruns_at_most = 100')
+        self.assertIn("--yes runs them all the same", self.riffle("stability", self.study(text=many), code=2).stderr)
+
+    def test_a_launcher_that_does_not_wait_is_refused(self):
+        self.assertIn("--launcher slurm with --wait only", self.riffle("stability", self.study(), "--launcher", "slurm", code=2).stderr)
+
+    def test_shipped_maps_run_on_a_coarse_grid(self):
+        for source in sorted((SOURCE / "cases").glob("*/*.study.toml")):
+            text = source.read_text()
+            if "[map]" not in text:
+                continue
+            with self.subTest(study=source.name):
+                text = re.sub(r'"([^"]+\.toml)"', lambda m: f'"{source.parent / m[1]}"', text)
+                text = re.sub(r"(count = )\d+", r"\g<1>60", text).replace(" to = ", " points = 4, to = ")
+                (self.home / source.name).write_text(text)
+                said = self.riffle("stability", source.name, "--out", source.stem, "--quiet")
+                self.assertIn("of 16 points run", said.stdout)
+
+
+if __name__ == "__main__":
+    main()
