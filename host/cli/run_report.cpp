@@ -129,6 +129,10 @@ std::filesystem::path draw_run(const std::filesystem::path& folder, Simulation& 
       const Field* field = simulation.store().find(name);
       if (field == nullptr) continue;
       for (const auto& [column, c] : columns_of(*field, 1)) {
+        const auto& named = scene.output.fields;
+        const bool asked = std::find(named.begin(), named.end(), name) != named.end();
+        if (!lines.empty() && lines.count(column) == 0 && !asked)
+          continue;  // what is compared, and what the case names
         Panel panel{
             fmt::format("{} [{}]", column, field->description.unit == "m.s-1" ? "m/s" : field->description.unit), {}};
         const auto before = initial.fields.find(column);
@@ -285,6 +289,10 @@ std::string summary(const RunRecord& record, const Case& scene, const RunReport&
     text += "\n";
   }
   for (const auto& [field, e] : record.errors) {
+    if (e.count == 0) {
+      text += fmt::format("  {} against {}: no particle to compare\n", field, scene.reference->plugin.id);
+      continue;
+    }
     text += fmt::format("  {} against {}: L2 = {:.4g} (eq. 17), L1 = {:.4g}, Linf = {:.4g}\n", field,
                         scene.reference->plugin.id, e.l2, e.l1, e.linf);
   }
