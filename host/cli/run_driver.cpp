@@ -87,7 +87,7 @@ class Driver {
       momentum_initial_ = simulation.momentum();
       snapshots.write(simulation.store(), 0, 0);
     }
-    for (const auto& note : simulation.graph().notes()) log_->info("{}", note);
+    for (const auto& note : simulation.graph().notes()) log_->debug("{}", note);  // in log.txt only
     log_->info("{}: {} particles, {} threads, to t = {} s", case_.name, simulation.store().owned(),
                omp_get_max_threads(), case_.time.end);
     std::string failure;
