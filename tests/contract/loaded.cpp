@@ -51,7 +51,8 @@ const std::map<std::string, double>& usual_quantities() {
   return quantities;
 }
 
-// A scene of one metre, without bed and a metre wide.
+}  // namespace
+
 const riffle_services& flat_metre() {
   static const riffle_services scene = [] {
     riffle_services s{};
@@ -71,8 +72,6 @@ const riffle_services& flat_metre() {
   }();
   return scene;
 }
-
-}  // namespace
 
 const std::vector<Loaded>& all_plugins() {
   static const std::vector<Loaded> plugins = load();
@@ -100,7 +99,9 @@ std::string test_name(const Loaded& loaded) {
   return name;
 }
 
-Instance::Instance(const riffle_plugin& plugin, int dim, const std::map<std::string, double>& given) : plugin_(plugin) {
+Instance::Instance(const riffle_plugin& plugin, int dim, const std::map<std::string, double>& given,
+                   const riffle_services* scene)
+    : plugin_(plugin) {
   const auto parameters = entries(plugin.parameters);
   functions_.resize(parameters.size());
   std::vector<std::string> words(parameters.size());
@@ -128,8 +129,9 @@ Instance::Instance(const riffle_plugin& plugin, int dim, const std::map<std::str
   riffle_error error{sizeof(riffle_error), {}};
   self_ = plugin.create(dim, pointers.data(), &error);
   if (self_ == nullptr) throw Refused(error.message);
-  if (plugin.connect != nullptr && plugin.connect(self_, &flat_metre(), &error) != RIFFLE_OK)
-    throw Refused(error.message);
+  if (scene == nullptr || plugin.connect == nullptr || plugin.connect(self_, scene, &error) == RIFFLE_OK) return;
+  plugin.destroy(self_);  // a constructor that throws has no destructor
+  throw Refused(error.message);
 }
 
 Instance::~Instance() {

@@ -38,11 +38,16 @@ struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A scene of one metre, without bed and a metre wide.
+const riffle_services& flat_metre();
+
 // One instance. Parameters that are not given have their default; choices are given by index. Throws Refused with the
 // plugin's own sentence, and std::out_of_range for a parameter that the plugin does not have.
 class Instance {
  public:
-  Instance(const riffle_plugin& plugin, int dim, const std::map<std::string, double>& given = {});
+  // Connected to `scene` at once; nullptr when the test does that itself.
+  Instance(const riffle_plugin& plugin, int dim, const std::map<std::string, double>& given = {},
+           const riffle_services* scene = &flat_metre());
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

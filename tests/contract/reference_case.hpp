@@ -23,7 +23,7 @@ struct Channel {
 class ReferenceCase {
  public:
   ReferenceCase(const std::string& id, const std::map<std::string, double>& given, Channel channel = {})
-      : channel_(std::move(channel)), instance_(plugin("reference", id), 1, given) {
+      : channel_(std::move(channel)), instance_(plugin("reference", id), 1, given, nullptr) {
     riffle_services services{};
     services.size = sizeof services;
     services.dim = 1;
