@@ -19,22 +19,22 @@ bool over_roles(const ParticleStore& store, std::uint32_t roles, const Work& wor
   return finite;
 }
 
-// to = formula(from, rate, damping); false when a result is not finite.
+// to = formula(from, rate, damping), damping being a scalar; false when a result is not finite.
 template <class Formula>
 bool each_value(ParticleStore& store, const std::string& to, const std::string& from, const std::string& rate,
                 const std::string& damping, std::uint32_t roles, const Formula& formula) {
   bool finite = true;
   Field& target = store.at(to);
-  const double* lambda = damping.empty() ? nullptr : store.data(damping);
+  const double* lambda = store.data(damping);
   for (std::size_t c = 0; c < target.component.size(); ++c) {
     double* x = target.component[c].data();
     const double* x0 = store.at(from).component[c].data();
     const double* v = store.at(rate).component[c].data();
-    const auto work = [&](std::int64_t first, std::int64_t last) {
+    const auto work = [=](std::int64_t first, std::int64_t last) {
       double bad = 0;  // a sum of x - x: 0, or NaN as soon as one value is not finite
 #pragma omp parallel for simd schedule(static) reduction(+ : bad)
       for (std::int64_t i = first; i < last; ++i) {
-        const double moved = formula(x0[i], v[i], lambda != nullptr ? lambda[i] : 0.0);
+        const double moved = formula(x0[i], v[i], lambda[i]);
         x[i] = moved;
         bad += moved - moved;
       }
@@ -49,6 +49,9 @@ bool each_value(ParticleStore& store, const std::string& to, const std::string& 
 
 bool advance(ParticleStore& store, const std::string& to, const std::string& from, const std::string& rate,
              const std::string& damping, bool implicit, double dt, std::uint32_t roles) {
+  if (damping.empty()) {  // without a division: most scenes have no drag
+    return each_value(store, to, from, rate, rate, roles, [dt](double x0, double v, double) { return x0 + dt * v; });
+  }
   if (implicit) {
     return each_value(store, to, from, rate, damping, roles,
                       [dt](double x0, double v, double lambda) { return (x0 + dt * v) / (1 + dt * lambda); });
@@ -59,6 +62,7 @@ bool advance(ParticleStore& store, const std::string& to, const std::string& fro
 
 bool advance_damped(ParticleStore& store, const std::string& to, const std::string& from, const std::string& rate,
                     const std::string& damping, double dt, std::uint32_t roles) {
+  if (damping.empty()) return advance(store, to, from, rate, "", true, dt, roles);
   return each_value(store, to, from, rate, damping, roles, [dt](double x0, double v, double lambda) {
     const double k = dt * lambda;
     return x0 + (dt * v - k * x0) * ((1 + 0.5 * k) / (1 + k * (1 + 0.5 * k)));
