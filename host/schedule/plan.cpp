@@ -60,7 +60,6 @@ class Builder {
     if (node(n).global || sweep_.global >= 0) return false;
     if (node(n).iteration != sweep_.iteration) return false;
     if (node(n).pair && written_.count(graph_.field("smoothing_length")) != 0) return false;  // the list is another now
-    if (node(n).pair && written_.count(graph_.field("smoothing_length")) != 0) return false;  // supports, and the list
     return !meet(graph_.particle_reads(n, true), written_);
   }
 

@@ -5,7 +5,7 @@
 // Given as a rate, it can only dissipate; applied point-implicitly (the default) it bounds no time step.
 // Not in it: the side walls (h stands for the hydraulic radius R), and the growth of C with depth, C = h^(1/6) / n,
 // which Manning's law has: choose C for the depths of the scene.
-#include <cmath>
+#include <riffle/bed_friction.hpp>
 #include <riffle/sdk.hpp>
 
 namespace f = riffle::fields;
@@ -28,12 +28,7 @@ struct Chezy {
       : factor(v.number("gravity") / (v.number("coefficient") * v.number("coefficient"))) {}
 
   void run(const riffle::Block& b) const {
-    const double *u = b.in(0, 0), *v = b.dim() > 1 ? b.in(0, 1) : nullptr, *depth = b.in(1);
-    double* rate = b.out(0);
-    for (std::int64_t k = 0; k < b.size(); ++k) {
-      const double speed = v == nullptr ? std::abs(u[k]) : std::sqrt(u[k] * u[k] + v[k] * v[k]);
-      rate[k] += factor * speed / depth[k];
-    }
+    riffle::add_bed_friction(b, [scale = factor](double speed, double depth) { return scale * speed / depth; });
   }
   double factor;
 };

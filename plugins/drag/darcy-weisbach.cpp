@@ -6,7 +6,7 @@
 // only dissipate; applied point-implicitly (the default) it bounds no time step.
 // Not in it: the side walls (h stands for the hydraulic radius), and the law by which f depends on roughness and
 // Reynolds number (Colebrook and White): f is a constant of the scene.
-#include <cmath>
+#include <riffle/bed_friction.hpp>
 #include <riffle/sdk.hpp>
 
 namespace f = riffle::fields;
@@ -27,12 +27,7 @@ struct DarcyWeisbach {
   explicit DarcyWeisbach(const riffle::Values& v) : factor(v.number("friction_factor") / 8) {}
 
   void run(const riffle::Block& b) const {
-    const double *u = b.in(0, 0), *v = b.dim() > 1 ? b.in(0, 1) : nullptr, *depth = b.in(1);
-    double* rate = b.out(0);
-    for (std::int64_t k = 0; k < b.size(); ++k) {
-      const double speed = v == nullptr ? std::abs(u[k]) : std::sqrt(u[k] * u[k] + v[k] * v[k]);
-      rate[k] += factor * speed / depth[k];
-    }
+    riffle::add_bed_friction(b, [scale = factor](double speed, double depth) { return scale * speed / depth; });
   }
   double factor;
 };

@@ -7,6 +7,7 @@
 // Not in it: the side walls (h stands for the hydraulic radius), and the laminar limit of very thin water, where n is
 // no constant and the friction of a front is overestimated.
 #include <cmath>
+#include <riffle/bed_friction.hpp>
 #include <riffle/sdk.hpp>
 
 namespace f = riffle::fields;
@@ -29,12 +30,8 @@ struct Manning {
       : factor(v.number("gravity") * v.number("roughness") * v.number("roughness")) {}
 
   void run(const riffle::Block& b) const {
-    const double *u = b.in(0, 0), *v = b.dim() > 1 ? b.in(0, 1) : nullptr, *depth = b.in(1);
-    double* rate = b.out(0);
-    for (std::int64_t k = 0; k < b.size(); ++k) {
-      const double speed = v == nullptr ? std::abs(u[k]) : std::sqrt(u[k] * u[k] + v[k] * v[k]);
-      rate[k] += factor * speed / (depth[k] * std::cbrt(depth[k]));
-    }
+    riffle::add_bed_friction(
+        b, [scale = factor](double speed, double depth) { return scale * speed / (depth * std::cbrt(depth)); });
   }
   double factor;
 };
