@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "host/manifest/keys.hpp"
@@ -29,12 +30,21 @@ json bounded(const std::string& type, const ParameterDescription& parameter) {
   return schema;
 }
 
+// A choice among sets ("B1+B2") may also be an array of their words.
+json choice_schema(const ParameterDescription& parameter) {
+  const json word = {{"type", "string"}, {"enum", parameter.choices}};
+  const bool sets = std::any_of(parameter.choices.begin(), parameter.choices.end(),
+                                [](const std::string& c) { return c.find('+') != std::string::npos; });
+  if (!sets) return word;
+  return {{"anyOf", {word, {{"type", "array"}, {"items", {{"type", "string"}}}, {"uniqueItems", true}}}}};
+}
+
 json value_schema(const ParameterDescription& parameter) {
   switch (parameter.type) {
     case ParameterType::real: return {{"anyOf", {bounded("number", parameter), reference_to("quantity")}}};
     case ParameterType::integer: return bounded("integer", parameter);
     case ParameterType::boolean: return {{"type", "boolean"}};
-    case ParameterType::choice: return {{"type", "string"}, {"enum", parameter.choices}};
+    case ParameterType::choice: return choice_schema(parameter);
     case ParameterType::text: return {{"type", "string"}};
     case ParameterType::function: break;
   }

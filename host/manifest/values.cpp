@@ -92,19 +92,33 @@ std::optional<ReadValue> read_text(Reading& reading, const TomlNode& node, const
   return read;
 }
 
+// Some choices are sets, "B1+B2": they may be written as an array, ["B2", "B1"]; the empty set is "none".
+std::optional<std::string> chosen_set(const TomlNode& node) {
+  if (!node.is_array()) return std::nullopt;
+  std::vector<std::string> words;
+  for (const TomlNode& item : node.items) {
+    if (!item.is_text()) return std::nullopt;
+    words.push_back(item.text);
+  }
+  std::sort(words.begin(), words.end());
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, "+"));
+}
+
 std::optional<ReadValue> read_choice(Reading& reading, const TomlNode& node, const std::string& key,
                                      const ParameterDescription& description) {
   const auto& choices = description.choices;
-  const bool readable = node.is_text() || node.place.from_override();
-  const auto found = std::find(choices.begin(), choices.end(), node.text);
+  const std::optional<std::string> set = chosen_set(node);
+  const bool readable = node.is_text() || set || node.place.from_override();
+  const std::string word = set.value_or(node.text);
+  const auto found = std::find(choices.begin(), choices.end(), word);
   if (!readable || found == choices.end()) {
-    refuse(reading, node, key, description, node.is_text() ? did_you_mean(node.text, choices) : "");
+    refuse(reading, node, key, description, node.is_text() || set ? did_you_mean(word, choices) : "");
     return std::nullopt;
   }
   ReadValue read;
-  read.value.text = node.text;
+  read.value.text = word;
   read.value.number = static_cast<double>(found - choices.begin());
-  read.effective = node.text;
+  read.effective = word;
   return read;
 }
 
