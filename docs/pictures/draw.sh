@@ -31,8 +31,8 @@ plot "wet-0.5/profile.csv" using "x":"depth_exact" with lines lw 2 lc rgb "#0072
 END
 cp kernels.png "$root/docs/pictures/kernels.png"
 
-# Open channel: one run each, its own picture
-for case in step/steady hump/supercritical hump/transcritical hump/transcritical-shock contraction/subcritical \
+# Open channel and waves: one run each, its own picture
+for case in boussinesq/r0.5 step/steady hump/supercritical hump/transcritical hump/transcritical-shock contraction/subcritical \
   contraction/transcritical parshall/flume; do
   name=${case//\//-}
   "$riffle" run "$root/cases/$case.toml" --out "$folder/$name" --threads 1 --quiet

@@ -25,9 +25,12 @@ class Envelope {
   [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(first_.size()); }
   // Row i, column j <= i, within the envelope.
   double& at(std::int64_t i, std::int64_t j) { return row(i)[j]; }
+  // Its entries by column, from its first to i.
+  double* row(std::int64_t i) { return values_.data() + start_[static_cast<std::size_t>(i)] - begin(i); }
 
   // False when a pivot is not positive: the matrix is not positive definite, or not finite.
   bool factorise() {
+    inverse_.resize(first_.size());
     for (std::int64_t i = 0; i < rows(); ++i) {
       double *l = row(i), pivot = l[i];
       for (std::int64_t j = begin(i); j < i; ++j) {
@@ -37,12 +40,13 @@ class Envelope {
         l[j] = sum;  // L_ij D_j until the row is done
       }
       for (std::int64_t j = begin(i); j < i; ++j) {
-        const double scaled = l[j] / row(j)[j];
+        const double scaled = l[j] * inverse_[static_cast<std::size_t>(j)];
         pivot -= scaled * l[j];
         l[j] = scaled;
       }
       if (!(pivot > 0)) return false;
       l[i] = pivot;
+      inverse_[static_cast<std::size_t>(i)] = 1 / pivot;
     }
     return true;
   }
@@ -52,7 +56,7 @@ class Envelope {
       const double* l = row(i);
       for (std::int64_t j = begin(i); j < i; ++j) x[i] -= l[j] * x[j];
     }
-    for (std::int64_t i = 0; i < rows(); ++i) x[i] /= row(i)[i];
+    for (std::int64_t i = 0; i < rows(); ++i) x[i] *= inverse_[static_cast<std::size_t>(i)];
     for (std::int64_t i = rows() - 1; i >= 0; --i) {
       const double* l = row(i);
       for (std::int64_t j = begin(i); j < i; ++j) x[j] -= l[j] * x[i];
@@ -61,10 +65,9 @@ class Envelope {
 
  private:
   [[nodiscard]] std::int64_t begin(std::int64_t i) const { return first_[static_cast<std::size_t>(i)]; }
-  double* row(std::int64_t i) { return values_.data() + start_[static_cast<std::size_t>(i)] - begin(i); }
 
   std::vector<std::int64_t> first_, start_;
-  std::vector<double> values_;
+  std::vector<double> values_, inverse_;
 };
 
 }  // namespace riffle
