@@ -14,7 +14,7 @@
 // With eta = 1 and the cubic spline it is cheapest and best. Not in it: slope and curvature of the bed in the vertical
 // acceleration (hydrostatic forces of a bed are); friction acts outside the solve. Where it fails: dam breaks of depth ratio 0.3 and below without `breaking`; water of very different volumes side by side.
 #include <cmath>
-#include <riffle/envelope.hpp>
+#include <riffle/dispersion_system.hpp>
 #include <riffle/variational_shallow.hpp>
 #include <stdexcept>
 #include <string>
@@ -300,32 +300,6 @@ struct Serre {
   riffle_services terrain{};
 };
 
-namespace {
-
-// Marks all within `reach[i]` of a marked particle; x ascending.
-std::vector<char> widened(const std::vector<char>& marked, const double* x, const double* depth, double depths) {
-  std::vector<char> wide = marked;
-  const auto n = static_cast<std::int64_t>(marked.size());
-  for (std::int64_t i = 0; i < n; ++i) {
-    if (marked[static_cast<std::size_t>(i)] == 0) continue;
-    const double reach = depths * depth[i];
-    for (std::int64_t j = i - 1; j >= 0 && x[i] - x[j] <= reach && marked[static_cast<std::size_t>(j)] == 0; --j)
-      wide[static_cast<std::size_t>(j)] = 1;
-    for (std::int64_t j = i + 1; j < n && x[j] - x[i] <= reach && marked[static_cast<std::size_t>(j)] == 0; ++j)
-      wide[static_cast<std::size_t>(j)] = 1;
-  }
-  return wide;
-}
-
-struct Workspace {  // memory kept from step to step
-  std::vector<std::int64_t> first;
-  std::vector<double> x;
-  std::vector<std::pair<std::int64_t, double>> row;
-  riffle::Envelope matrix;
-};
-
-}  // namespace
-
 void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pairs& pairs) {
   const std::int64_t n = b.size();
   const double *entries = b.in(0), *own = b.in(1), *given = b.in(2), *source = b.in(3), *volume = b.in(4);
@@ -333,22 +307,16 @@ void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pair
   const double* was_breaking = b.in(10);
   double *acceleration = b.out(0), *vertical_out = b.out(1), *ratio_out = b.out(2), *active_out = b.out(3);
   double* breaks_out = b.out(4);
-  const auto column = [&](std::int64_t k) {
-    const std::int32_t j = pairs.neighbour[k];
-    return static_cast<std::int64_t>(j < pairs.n_owned ? j : pairs.origin[j - pairs.n_owned]);
-  };
-  const auto row_times = [&](std::int64_t i, const double* a) {  // (D a)_i
-    double sum = own[i] * a[i];
-    for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i] + pairs.count[i]; ++k) sum -= entries[k] * a[column(k)];
-    return sum;
-  };
+  thread_local riffle::DispersionSystem system;
+  system.read(pairs, own, entries, n);
   std::vector<char> on(static_cast<std::size_t>(n), 1);
   if (s.where_needed) {
     for (std::int64_t i = 0; i < n; ++i) {
-      const double r = was_active[i] > 0 ? before[i] : 2 * std::abs(row_times(i, given) + source[i]) / (3 * s.gravity);
+      const double r =
+          was_active[i] > 0 ? before[i] : 2 * std::abs(system.row_times(i, given) + source[i]) / (3 * s.gravity);
       on[static_cast<std::size_t>(i)] = r > s.threshold ? 1 : 0;
     }
-    on = widened(on, x, depth, s.buffer);
+    on = riffle::widened(on, x, depth, s.buffer);
   }
   std::vector<char> broken(static_cast<std::size_t>(n), 0);
   if (s.breaking) {
@@ -356,7 +324,7 @@ void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pair
       const double speed = rate[i] / std::sqrt(s.gravity * depth[i]);
       broken[static_cast<std::size_t>(i)] = speed > (was_breaking[i] == 1 ? s.stop : s.start) ? 1 : 0;
     }
-    const std::vector<char> wide = widened(broken, x, depth, 1);
+    const std::vector<char> wide = riffle::widened(broken, x, depth, 1);
     for (std::int64_t i = 0; i < n; ++i) {
       const auto k = static_cast<std::size_t>(i);
       if (wide[k] != 0) on[k] = 0;
@@ -366,54 +334,15 @@ void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pair
     std::fill_n(breaks_out, n, 0.0);
   }
 
-  thread_local Workspace work;
-  auto& first = work.first;
-  first.resize(static_cast<std::size_t>(n));
-  for (std::int64_t i = 0; i < n; ++i) first[static_cast<std::size_t>(i)] = i;
-  for (std::int64_t i = 0; i < n && s.t1 != 0; ++i) {
-    if (on[static_cast<std::size_t>(i)] == 0) continue;
-    std::int64_t least = i;
-    for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i] + pairs.count[i]; ++k) least = std::min(least, column(k));
-    const auto reach_back = [&](std::int64_t j) {
-      auto& from = first[static_cast<std::size_t>(j)];
-      from = std::min(from, least);
-    };
-    reach_back(i);
-    for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i] + pairs.count[i]; ++k) reach_back(column(k));
-  }
-  work.matrix.shape(first);
-  work.x.resize(static_cast<std::size_t>(n));
-  double* rhs = work.x.data();
-  for (std::int64_t i = 0; i < n; ++i) {
-    work.matrix.at(i, i) = volume[i];
-    rhs[i] = volume[i] * given[i];
-  }
-  auto& row = work.row;
-  for (std::int64_t i = 0; i < n; ++i) {
-    if (on[static_cast<std::size_t>(i)] == 0) continue;
-    row.assign(1, {i, own[i]});
-    for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i] + pairs.count[i]; ++k)
-      row.emplace_back(column(k), -entries[k]);
-    const double third = volume[i] / 3;
-    for (const auto& [j, d] : row) {
-      const double share = third * d;
-      rhs[j] -= share * source[i];
-      if (s.t1 == 0 || d == 0) continue;
-      double* entries_of = work.matrix.row(j);
-      for (const auto& [k, e] : row) {
-        if (k <= j) entries_of[k] += share * e;
-      }
-    }
-  }
-  if (!work.matrix.factorise())
+  const double* solved = system.solve(s.t1, on, volume, given, source);
+  if (solved == nullptr)
     throw std::runtime_error(s.t3 != 0 && s.t1 == 0
                                  ? "terms with B3 but without B1 are ill-posed in expansion, and the flow has blown up"
                                  : "the matrix of the vertical acceleration is not positive definite: the depth or the "
                                    "gradients of it are no numbers any more");
-  work.matrix.solve(rhs);
   for (std::int64_t i = 0; i < n; ++i) {
-    acceleration[i] += rhs[i];
-    vertical_out[i] = row_times(i, rhs) + source[i];
+    acceleration[i] += solved[i];
+    vertical_out[i] = system.row_times(i, solved) + source[i];
     ratio_out[i] = 2 * std::abs(vertical_out[i]) / (3 * s.gravity);
     active_out[i] = on[static_cast<std::size_t>(i)];
   }
