@@ -32,7 +32,7 @@ END
 cp kernels.png "$root/docs/pictures/kernels.png"
 
 # Open channel and waves: one run each, its own picture
-for case in boussinesq/r0.5 step/steady hump/supercritical hump/transcritical hump/transcritical-shock contraction/subcritical \
+for case in boussinesq/r0.5 undular-bore/r0.7 step/steady hump/supercritical hump/transcritical hump/transcritical-shock contraction/subcritical \
   contraction/transcritical parshall/flume; do
   name=${case//\//-}
   "$riffle" run "$root/cases/$case.toml" --out "$folder/$name" --threads 1 --quiet

@@ -34,6 +34,7 @@ class Serre(Channel):
         out = self.home / f"run{len(list(self.home.iterdir()))}"
         options = [w for s in ("output.picture=false", *sets) for w in ("--set", s)]
         said = self.riffle("run", CASES / case, "--quiet", "--threads", 1, "--out", out, *options, code=code)
+        self.folder = out
         return (self.record(out), columns(out / "profile.csv")) if code == 0 else said.stdout + said.stderr
 
     def solitary(self, count, *sets):
@@ -91,7 +92,34 @@ class Serre(Channel):
         self.assertTrue(0.05 < share < 0.5, share)
         self.assertEqual(min(full["dispersion_active"]), 1)
 
-    def test_a_crest_moves_at_the_speed_of_its_depth_and_low_bores_break(self):
+    @staticmethod
+    def first_crest(rows):
+        """Place and depth of the highest wave, by a parabola through three particles."""
+        x, h = rows["x"], rows["depth"]
+        k = max((k for k in range(len(x)) if x[k] > 115), key=lambda k: h[k])
+        slope = (h[k] - h[k - 1]) / (x[k] - x[k - 1])
+        bend = ((h[k + 1] - h[k]) / (x[k + 1] - x[k]) - slope) / (x[k + 1] - x[k - 1])
+        at = (x[k - 1] + x[k]) / 2 - slope / (2 * bend)
+        return at, h[k - 1] + slope * (at - x[k - 1]) + bend * (at - x[k - 1]) * (at - x[k])
+
+    def test_a_bore_becomes_a_train_of_waves_whose_first_crest_moves_as_its_depth_says(self):
+        # c = sqrt(g h_crest) holds for solitary waves exactly, and 0.1 % was reached for the first crest of a bore
+        for case in ("boussinesq/r0.5.toml", "boussinesq/r0.7.toml"):
+            _, late = self.scene(case, "initial.particles.count=1500", "time.end=20", "domain.x=[20, 180]",
+                                 "output.profiles=4")
+            early = columns(sorted((self.folder / "profiles").glob("*.csv"))[-1])
+            (x0, h0), (x1, h1) = (self.first_crest({k: rows[k] for k in ("x", "depth")}) for rows in (early, late))
+            speed, crest = (x1 - x0) / 4, (h0 + h1) / 2
+            self.assertLess(abs(speed * speed / (G * crest) - 1), 5e-3, case)
+
+    def test_the_plateau_behind_an_undular_bore_is_that_of_modulation_theory(self):
+        # El, Grimshaw & Smyth (2006): (sqrt h0 + sqrt h1)^2 / 4
+        _, rows = self.scene("undular-bore/r0.7.toml", "initial.particles.count=2000", "time.end=30",
+                             "domain.x=[-120, 130]")
+        plateau = [h for x, h in zip(rows["x"], rows["depth"]) if 0 < x < 40]
+        self.assertLess(abs(sum(plateau) / len(plateau) / ((1 + math.sqrt(0.7)) ** 2 / 4) - 1), 1e-3)
+
+    def test_low_bores_break(self):
         crests = {}
         for r, count in ((0.3, 1500), (0.5, 1500)):
             _, rows = self.scene(f"boussinesq/r{r}.toml", f"initial.particles.count={count}", "time.end=12")
