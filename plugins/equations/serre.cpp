@@ -114,6 +114,7 @@ struct Serre {
   struct Rise {
     static constexpr auto pass_name = "divergence";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t neighbours = RIFFLE_EITHER;  // as momentum, so that they share its pairs
     static constexpr auto when = dispersive;
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::pair(f::separation),
                                             riffle::pair(f::approach), riffle::at_i(f::kernel_gradient),
@@ -132,6 +133,7 @@ struct Serre {
   struct Second {
     static constexpr auto pass_name = "second derivatives of depth";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t neighbours = RIFFLE_EITHER;  // as momentum, so that they share its pairs
     static constexpr std::uint32_t pass_flags = RIFFLE_WITH_SELF;
     static constexpr auto when = dispersive;
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume),      riffle::difference(f::velocity),
@@ -190,8 +192,9 @@ struct Serre {
         const double second = 2 * l[k] / (h[k] * h[k]);
         const double q = factor[k] * (tt[k] + 2 * tl[k] * ldot + l2[k] * ldot * ldot + l1[k] * second * hdot * hdot);
         dh[k] = hdot;
-        source[k] = both * q + (curvature != nullptr ? odd * u[k] * curvature[k] : 0.0);
+        source[k] = both * q;
       }
+      if (curvature != nullptr) RIFFLE_EACH(k, b) source[k] += odd * u[k] * curvature[k];
     }
   };
 
