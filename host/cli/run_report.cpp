@@ -229,6 +229,11 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
   } catch (const std::runtime_error&) {  // supports too large for any list: the verdicts say so, and need this record
     record.neighbours.reset();
   }
+  if (simulation.store().find("dispersion_active") != nullptr && water(simulation) > 0) {
+    const double* active = simulation.store().data("dispersion_active");
+    record.active_fraction =
+        std::accumulate(active, active + water(simulation), 0.0) / static_cast<double>(water(simulation));
+  }
   record.bytes_per_particle =
       static_cast<double>(simulation.bytes()) / std::max<double>(1, static_cast<double>(record.particles));
   record.seconds.list = simulation.evaluator().list_seconds();

@@ -168,6 +168,7 @@ Json to_json(const RunRecord& record) {
                           {"smallest", record.neighbours->smallest},
                           {"largest", record.neighbours->largest}};
   }
+  json["active_fraction"] = record.active_fraction ? number(*record.active_fraction) : Json(nullptr);
   json["bytes_per_particle"] = number(record.bytes_per_particle);
   json["seconds"] = {{"sort", number(record.seconds.sort)},     {"list", number(record.seconds.list)},
                      {"sweeps", number(record.seconds.sweeps)}, {"integrate", number(record.seconds.integrate)},

@@ -78,6 +78,7 @@ struct RunRecord {
   int threads = 1;
   Machine machine = this_machine();
   std::optional<NeighbourStatistics> neighbours;
+  std::optional<double> active_fraction;  // of the water, where the equations have terms that act in places only
   double bytes_per_particle = 0;
   PhaseSeconds seconds;
 };

@@ -86,10 +86,11 @@ class Serre(Channel):
     def test_dispersion_only_where_needed_gives_the_same_water(self):
         few = ("initial.particles.count=1000", "time.end=8")
         _, full = self.scene("boussinesq/r0.5.toml", *few)
-        _, part = self.scene("boussinesq/r0.5.toml", 'plugins.equations.dispersion=where-needed', *few)
+        record, part = self.scene("boussinesq/r0.5.toml", 'plugins.equations.dispersion=where-needed', *few)
         self.assertLess(sum(abs(a - b) for a, b in zip(full["depth"], part["depth"])) / len(full["depth"]), 1e-4)
         share = sum(part["dispersion_active"]) / len(part["dispersion_active"])
         self.assertTrue(0.05 < share < 0.5, share)
+        self.assertAlmostEqual(record["active_fraction"], share, delta=1e-12)
         self.assertEqual(min(full["dispersion_active"]), 1)
 
     @staticmethod
