@@ -65,6 +65,7 @@ struct Serre {
       riffle::vector_field("hydrostatic_acceleration", "m.s-2",
                            "acceleration without the pressure of vertical acceleration", RIFFLE_ACCUMULATES);
   static constexpr const riffle_field& force = hydrostatic;
+  static constexpr const riffle_field& pressure = v::pressure_factor;
   static constexpr riffle_field side = riffle::vector_field("side", "1", "1, and -1 for images in a mirror");
   static constexpr riffle_field entry =
       riffle::scalar_field("depth_gradient", "1", "-dh_i / dx_j of a neighbour", RIFFLE_PER_PAIR);

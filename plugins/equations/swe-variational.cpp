@@ -43,6 +43,7 @@ struct SweVariational {
   static constexpr riffle_iteration iterations[] = {
       {sizeof(riffle_iteration), 0, "support", &v::support_error, "support_tolerance", "support_iterations"}};
   static constexpr const riffle_field& force = f::acceleration;
+  static constexpr const riffle_field& pressure = v::pressure_factor;
   using passes = riffle::Passes<v::Start<SweVariational>, v::Section<SweVariational>, v::Support<SweVariational>,
                                 v::Momentum<SweVariational>, v::BedSlope<SweVariational>, v::SideWalls<SweVariational>>;
 

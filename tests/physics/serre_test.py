@@ -120,6 +120,20 @@ class Serre(Channel):
         plateau = [h for x, h in zip(rows["x"], rows["depth"]) if 0 < x < 40]
         self.assertLess(abs(sum(plateau) / len(plateau) / ((1 + math.sqrt(0.7)) ** 2 / 4) - 1), 1e-3)
 
+    def test_the_relaxed_equations_come_as_close_as_their_stiffness_says(self):
+        # Favrie & Gavrilyuk (2017): the error is of first order in 1 / stiffness
+        rise = ("initial.depth_rate=sqrt(g*1.5)*0.5*tanh(0.5*(x-20))/cosh(0.5*(x-20))^2/(1+0.5/cosh(0.5*(x-20))^2)",
+                'output.fields=["depth","velocity"]')
+        errors = [self.solitary(620, f'plugins.equations={{ id="serre-relaxed", depth_scale=1, stiffness={s} }}', *rise)
+                  for s in (25, 100)]
+        self.assertLess(errors[1], 1.5e-3)
+        self.assertTrue(3.5 < errors[0] / errors[1] < 4.8, errors)
+        few = ("initial.particles.count=1000", "time.end=8", 'output.fields=["depth"]')
+        _, solved = self.scene("boussinesq/r0.5.toml", *few)
+        _, relaxed = self.scene("boussinesq/r0.5.toml", 'plugins.equations={ id="serre-relaxed", depth_scale=1 }', *few)
+        difference = sum(abs(a - b) for a, b in zip(solved["depth"], relaxed["depth"])) / len(solved["depth"])
+        self.assertLess(difference, 2e-3)
+
     def test_low_bores_break(self):
         crests = {}
         for r, count in ((0.3, 1500), (0.5, 1500)):

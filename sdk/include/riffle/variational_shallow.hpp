@@ -8,7 +8,8 @@
 //         - g grad b + g h_i / (2 B_i) grad B
 //
 // Rodriguez-Paz & Bonet (2005); Price (2012) eq. 18-29. The passes are templates over the plugin, which has the members
-// gravity, smoothing_ratio, reference_width and terrain, and says by `force` which field the accelerations are added to.
+// gravity, smoothing_ratio, reference_width and terrain, and says by `force` which field the accelerations
+// are added to, and by `pressure` which one holds the pressure over g h / 2, by Omega (pressure_factor unless water has more).
 #pragma once
 
 #include <cmath>
@@ -123,8 +124,8 @@ struct Momentum {
                                           riffle::pair(f::separation),
                                           riffle::at_i(f::kernel_gradient),
                                           riffle::at_j(f::kernel_gradient),
-                                          riffle::at_i(pressure_factor),
-                                          riffle::at_j(pressure_factor),
+                                          riffle::at_i(Plugin::pressure),
+                                          riffle::at_j(Plugin::pressure),
                                           riffle::pair(f::viscous_pressure, RIFFLE_OPTIONAL),
                                           riffle::at_i(dissipation_factor),
                                           riffle::at_j(dissipation_factor),
