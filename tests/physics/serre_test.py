@@ -134,6 +134,28 @@ class Serre(Channel):
         difference = sum(abs(a - b) for a, b in zip(solved["depth"], relaxed["depth"])) / len(solved["depth"])
         self.assertLess(difference, 2e-3)
 
+    def test_the_explicit_split_is_refused_where_it_is_ill_posed_and_nowhere_else(self):
+        # max k_e h = sqrt 3 at these spacings over depth, by the symbol of the cubic spline's gradient on a lattice; 2 %
+        for ratio, limit in ((1.0, 0.577), (1.2, 0.499), (1.5, 0.404), (2.0, 0.299)):
+            for share in (0.98, 1.02):
+                dx = share * limit
+                n = round(40 / dx)
+                lake = (f"domain.smoothing_ratio={ratio}", f"domain.x=[0, {n * dx}]", f"initial.particles.count={n}",
+                        "initial.depth=1+1e-6*sin(97*x)", "initial.velocity=0", "reference.id=still-water",
+                        "reference.level=1", 'output.fields=["depth"]', "time.end=30", "time.cfl=0.25",
+                        'plugins.equations={ id="boussinesq-split", allow_ill_posed=true }')
+                out = self.home / f"run{len(list(self.home.iterdir()))}"
+                options = [w for s in ("output.picture=false", *lake) for w in ("--set", s)]
+                arguments = ("run", CASES / "solitary-wave/serre.toml", "--quiet", "--threads", 1)
+                run = self.start(*map(str, (*arguments, "--out", out, *options)))
+                run.communicate(timeout=200)  # waves that grow end in absurd water or in an error
+                record = self.record(out)
+                calm = record["status"] != "failed" and record["errors"]["depth"]["l2"] < 1e-5
+                self.assertEqual(calm, share > 1, f"measured: l = {ratio} dx, dx = {dx} h")
+                said = self.riffle(*arguments, "--out", out, "--overwrite", *options, "--set",
+                                   "plugins.equations.allow_ill_posed=false", code=0 if share > 1 else 1)
+                self.assertEqual("ill-posed" in said.stderr, share < 1, f"predicted: l = {ratio} dx, dx = {dx} h")
+
     def test_low_bores_break(self):
         crests = {}
         for r, count in ((0.3, 1500), (0.5, 1500)):
