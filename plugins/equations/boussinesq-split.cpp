@@ -153,17 +153,7 @@ struct BoussinesqSplit {
                                 v::Momentum<BoussinesqSplit>, v::BedSlope<BoussinesqSplit>, Gradients, Waves, Rates,
                                 Term, Correction, Add>;
 
-  struct Acoustic {
-    static constexpr auto name = "acoustic";
-    static constexpr riffle_read reads[] = {riffle::at_i(f::smoothing_length), riffle::at_i(f::wave_speed)};
-    static double limit(const BoussinesqSplit&, const riffle::Block& b) {
-      const double *l = b.in(0), *c = b.in(1);
-      double least = riffle::infinity;
-      RIFFLE_EACH_LEAST(k, b, least) least = l[k] < least * c[k] ? l[k] / c[k] : least;
-      return least;
-    }
-  };
-  using votes = riffle::Votes<Acoustic>;
+  using votes = riffle::Votes<v::Acoustic<BoussinesqSplit>>;
 
   explicit BoussinesqSplit(const riffle::Values& values)
       : gravity(values.number("gravity")),

@@ -263,17 +263,7 @@ struct Serre {
       riffle::Passes<v::Start<Serre>, Sides, v::Section<Serre>, v::Support<Serre>, v::Momentum<Serre>,
                      v::BedSlope<Serre>, Gradients, Rise, Second, Curvature, Source, Breaking, Solve, Hydrostatic>;
 
-  struct Acoustic {  // particles move with the water; dispersion only slows waves down
-    static constexpr auto name = "acoustic";
-    static constexpr riffle_read reads[] = {riffle::at_i(f::smoothing_length), riffle::at_i(f::wave_speed)};
-    static double limit(const Serre&, const riffle::Block& b) {
-      const double *l = b.in(0), *c = b.in(1);
-      double least = riffle::infinity;
-      RIFFLE_EACH_LEAST(k, b, least) least = l[k] < least * c[k] ? l[k] / c[k] : least;
-      return least;
-    }
-  };
-  using votes = riffle::Votes<Acoustic>;
+  using votes = riffle::Votes<v::Acoustic<Serre>>;
 
   explicit Serre(const riffle::Values& values)
       : gravity(values.number("gravity")),

@@ -47,17 +47,7 @@ struct SweVariational {
   using passes = riffle::Passes<v::Start<SweVariational>, v::Section<SweVariational>, v::Support<SweVariational>,
                                 v::Momentum<SweVariational>, v::BedSlope<SweVariational>, v::SideWalls<SweVariational>>;
 
-  struct Acoustic {  // particles move with the water, so only waves count
-    static constexpr auto name = "acoustic";
-    static constexpr riffle_read reads[] = {riffle::at_i(f::smoothing_length), riffle::at_i(f::wave_speed)};
-    static double limit(const SweVariational&, const riffle::Block& b) {
-      const double *l = b.in(0), *c = b.in(1);
-      double least = riffle::infinity;
-      RIFFLE_EACH_LEAST(k, b, least) least = l[k] < least * c[k] ? l[k] / c[k] : least;
-      return least;
-    }
-  };
-  using votes = riffle::Votes<Acoustic>;
+  using votes = riffle::Votes<v::Acoustic<SweVariational>>;
 
   explicit SweVariational(const riffle::Values& values)
       : gravity(values.number("gravity")),

@@ -181,4 +181,16 @@ struct SideWalls {
   }
 };
 
+template <class Plugin>
+struct Acoustic {  // particles move with the water, so only waves count
+  static constexpr auto name = "acoustic";
+  static constexpr riffle_read reads[] = {riffle::at_i(f::smoothing_length), riffle::at_i(f::wave_speed)};
+  static double limit(const Plugin&, const riffle::Block& b) {
+    const double *l = b.in(0), *c = b.in(1);
+    double least = riffle::infinity;
+    RIFFLE_EACH_LEAST(k, b, least) least = l[k] < least * c[k] ? l[k] / c[k] : least;
+    return least;
+  }
+};
+
 }  // namespace riffle::variational
