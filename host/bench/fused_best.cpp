@@ -62,7 +62,7 @@ FusedBest::FusedBest(const BenchState& state)
 void FusedBest::operator()(BenchRates& rates) {
   const BenchState& s = state_;
   const Physics& physics = s.physics;
-  const double kernel = physics.kernel_factor(), diffusion = physics.diffusion_factor();
+  const double kernel = physics.kernel_factor();
   for (std::size_t i = 0; i < s.x.size(); ++i) {
     double* record = record_.get() + 8 * i;
     record[0] = s.x[i];
@@ -70,11 +70,11 @@ void FusedBest::operator()(BenchRates& rates) {
     record[2] = s.u[i];
     record[3] = s.w[i];
     record[4] = s.density[i];
-    record[5] = s.pressure[i] / (s.density[i] * s.density[i]);
-    record[6] = s.mass[i] * kernel;
-    record[7] = diffusion / s.density[i];
+    record[5] = s.pressure[i];
+    record[6] = s.mass[i] / s.density[i] * kernel;
+    record[7] = 0;
   }
-  // the dummy: far away, without mass and volume, so that it contributes exactly 0
+  // the dummy: far away, without volume, so that it contributes exactly 0
   const double dummy[8] = {1e3, 1e3, 0, 0, physics.reference_density, 0, 0, 0};
   for (std::size_t k = 0; k < 8; ++k) record_[8 * s.x.size() + k] = dummy[k];
 
@@ -83,7 +83,7 @@ void FusedBest::operator()(BenchRates& rates) {
     return record + 2 * static_cast<std::size_t>(static_cast<std::uint32_t>(j));
   };
   const v4 inverse_support = all(1 / physics.support()), eta2 = all(physics.eta2());
-  const v4 viscosity = all(physics.viscosity_factor());
+  const v4 viscosity = all(physics.viscosity_factor()), diffusivity = all(physics.diffusion_factor());
   const std::int32_t* neighbour = s.list.neighbour.data();
   for (std::size_t i = 0; i < s.x.size(); ++i) {
     const double* own = record_.get() + 8 * i;
@@ -95,27 +95,25 @@ void FusedBest::operator()(BenchRates& rates) {
       const v4 *c = at(neighbour[k + 2]), *d = at(neighbour[k + 3]);
       v4 x = a[0], z = b[0], u = c[0], w = d[0];
       transpose(x, z, u, w);
-      v4 density = a[1], pressure = b[1], mass = c[1], diffusivity = d[1];
-      transpose(density, pressure, mass, diffusivity);
+      v4 density = a[1], pressure = b[1], volume = c[1], unused = d[1];
+      transpose(density, pressure, volume, unused);
 
       const v4 dx = x - xi, dz = z - zi;  // j minus i throughout: i is the operand in memory
       const v4 r2 = dx * dx + dz * dz;
       const v4 q = positive(1 - root(r2) * inverse_support);
       const v4 f = q * q * q;
       const v4 vx = (u - ui) * dx + (w - wi) * dz;
-      const v4 densities = density + density_i;
-      const v4 inverse = 1 / ((r2 + eta2) * densities);
-      const v4 mf = mass * f;
-      const v4 force = (pressure + pressure_i + viscosity * negative(vx) * inverse) * mf;
+      const v4 vf = volume * f;
+      const v4 force = (pressure + pressure_i + viscosity * negative(vx) / (r2 + eta2)) * vf;
       acceleration_x += force * dx;
       acceleration_z += force * dz;
-      density_rate += mf * (vx - diffusivity * (density - density_i) * (r2 * densities * inverse));
+      density_rate += vf * (density_i * vx + diffusivity * (density_i - density));
     }
     v4 unused = all(0);
     transpose(acceleration_x, acceleration_z, density_rate, unused);
     const v4 sum = (acceleration_x + acceleration_z) + (density_rate + unused);
-    rates.acceleration_x[i] = sum[0];
-    rates.acceleration_z[i] = sum[1];
+    rates.acceleration_x[i] = sum[0] / own[4];
+    rates.acceleration_z[i] = sum[1] / own[4];
     rates.density_rate[i] = sum[2];
   }
 }

@@ -5,19 +5,16 @@
 
 namespace riffle::bench {
 
-FusedCells::FusedCells(const BenchState& state)
-    : state_(state), pressure_term_(state.x.size()), volume_(state.x.size()) {}
+FusedCells::FusedCells(const BenchState& state) : state_(state), volume_(state.x.size()) {}
 
 void FusedCells::operator()(BenchRates& rates) {
   const BenchState& s = state_;
   const auto n = static_cast<std::size_t>(s.particles);
   for (std::size_t i = 0; i < n; ++i) {
-    pressure_term_[i] = s.pressure[i] / (s.density[i] * s.density[i]);
     volume_[i] = s.mass[i] / s.density[i];
   }
   const double *x = s.x.data(), *z = s.z.data(), *u = s.u.data(), *w = s.w.data();
-  const double *density = s.density.data(), *mass = s.mass.data();
-  const double *pressure_term = pressure_term_.data(), *volume = volume_.data();
+  const double *density = s.density.data(), *pressure = s.pressure.data(), *volume = volume_.data();
   const double support2 = s.physics.support() * s.physics.support(), eta2 = s.physics.eta2();
   const double inverse_support = 1 / s.physics.support(), kernel = s.physics.kernel_factor();
   const double viscosity = s.physics.viscosity_factor(), diffusion = s.physics.diffusion_factor();
@@ -40,19 +37,17 @@ void FusedCells::operator()(BenchRates& rates) {
             const double q = 1 - std::sqrt(r2) * inverse_support;
             const double f = kernel * q * q * q;
             const double vx = (u[i] - u[j]) * dx + (w[i] - w[j]) * dz;
-            const double inverse = 1 / ((r2 + eta2) * (density[i] + density[j]));
-            const double pi = vx < 0 ? viscosity * vx * inverse : 0;
-            const double mf = mass[j] * f;
-            const double a = -(pressure_term[i] + pressure_term[j] + pi) * mf;
+            const double pi = vx < 0 ? viscosity * vx / (r2 + eta2) : 0;
+            const double vf = volume[j] * f;
+            const double a = -(pressure[i] + pressure[j] + pi) * vf;
             acceleration_x += a * dx;
             acceleration_z += a * dz;
-            density_rate += mf * vx - diffusion * volume[j] * (density[j] - density[i]) * f * r2 *
-                                          (density[i] + density[j]) * inverse;
+            density_rate += vf * (density[i] * vx + diffusion * (density[i] - density[j]));
           }
         }
         const auto k = static_cast<std::size_t>(i);
-        rates.acceleration_x[k] = acceleration_x;
-        rates.acceleration_z[k] = acceleration_z;
+        rates.acceleration_x[k] = acceleration_x / density[i];
+        rates.acceleration_z[k] = acceleration_z / density[i];
         rates.density_rate[k] = density_rate;
       }
     }

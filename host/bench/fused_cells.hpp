@@ -19,7 +19,7 @@ class FusedCells {
 
  private:
   const BenchState& state_;
-  std::vector<double> pressure_term_, volume_;  // p / rho^2, m / rho; computed in each evaluation
+  std::vector<double> volume_;  // m / rho; computed in each evaluation
 };
 
 }  // namespace riffle::bench

@@ -6,10 +6,9 @@
 //
 // The physics of all sides, with x_ij = x_i - x_j, r = |x_ij|, F = (dW/dr) / r of Wendland C2 (support 2 h, 2D):
 //
-//   a_i    = - sum_j m_j (p_i / rho_i^2 + p_j / rho_j^2 + Pi_ij) F x_ij
-//   Pi_ij  = - 2 alpha c h min(0, v_ij . x_ij) / ((r^2 + eta^2) (rho_i + rho_j))              (Monaghan 1992)
-//   drho_i = sum_j m_j (v_ij . x_ij) F - 2 delta h c sum_j V_j (rho_j - rho_i) F r^2 / (r^2 + eta^2)
-//                                                                                (Molteni & Colagrossi 2009)
+//   a_i    = - (1 / rho_i) sum_j V_j (p_i + p_j + rho0 Pi_ij) F x_ij,   V_j = m_j / rho_j
+//   Pi_ij  = - alpha c h min(0, v_ij . x_ij) / (r^2 + eta^2)                                     (Monaghan 1992)
+//   drho_i = rho_i sum_j V_j (v_ij . x_ij) F + 2 delta h c sum_j V_j (rho_i - rho_j) F     (Molteni & Colagrossi 2009)
 //
 // F is never positive, so the last term moves density from dense to thin: with the other sign it would run away.
 #pragma once
@@ -32,8 +31,8 @@ struct Physics {
   [[nodiscard]] double eta2() const { return 0.01 * smoothing_length * smoothing_length; }
   // -5 alpha_2D / h^2, where F = factor * (1 - r / 2h)^3
   [[nodiscard]] double kernel_factor() const;
-  // Pi = viscosity_factor * min(0, v.x) / (...)
-  [[nodiscard]] double viscosity_factor() const { return -2 * alpha * sound_speed * smoothing_length; }
+  // rho0 Pi = viscosity_factor * min(0, v.x) / (r^2 + eta^2)
+  [[nodiscard]] double viscosity_factor() const { return -reference_density * alpha * sound_speed * smoothing_length; }
   [[nodiscard]] double diffusion_factor() const { return 2 * delta * smoothing_length * sound_speed; }
 };
 

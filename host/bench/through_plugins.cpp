@@ -30,16 +30,17 @@ ThroughPlugins::ThroughPlugins(const BenchState& state, const Registry& registry
   const std::map<std::string, std::map<std::string, double>> settings{
       {"wcsph",
        {{"sound_speed", physics.sound_speed},
-        {"delta", physics.delta},
         {"gravity", 0},
         {"density", physics.reference_density},
         {"smoothing_ratio", 1.41}}},
       {"wendland-c2", {{"lattice_normalised", 0}, {"smoothing_ratio", 1.41}}},
+      {"delta-sph", {{"delta", physics.delta}}},
       {"monaghan", {{"alpha", physics.alpha}, {"beta", 0}}}};
   std::vector<ActivePlugin> active;
   for (const auto& [kind, id] : {std::pair<std::string, std::string>{"equations", "wcsph"},
                                  {"kernel", "wendland-c2"},
-                                 {"viscosity", "monaghan"}}) {
+                                 {"viscosity", "monaghan"},
+                                 {"filter", "delta-sph"}}) {
     const Plugin* plugin = registry.plugin(kind, id);
     if (plugin == nullptr)
       throw std::runtime_error("the benchmark needs the " + kind + " \"" + id + "\", which is not in the plugin path");

@@ -1,4 +1,4 @@
-// The third side of the boundary benchmark: the same rates by Riffle's own pipeline, through three loaded plugins.
+// The third side of the boundary benchmark: the same rates by Riffle's own pipeline, through loaded plugins.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@ namespace riffle::bench {
 
 class ThroughPlugins {
  public:
-  // Particles of `state`, equations "wcsph", kernel "wendland-c2" and viscosity "monaghan" of the registry, one thread.
-  // Throws std::runtime_error when one of them is missing.
+  // Particles of `state`, equations "wcsph", kernel "wendland-c2", viscosity "monaghan" and filter "delta-sph" of the
+  // registry, one thread. Throws std::runtime_error when one of them is missing.
   ThroughPlugins(const BenchState& state, const Registry& registry, double skin, std::int64_t block = 0);
   ~ThroughPlugins();
 

@@ -35,11 +35,13 @@ void Graph::link() {
   }
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     PassNode& node = nodes_[n];
-    const auto depend_on_writers = [&](int f, bool previous) {
+    // A pass waits for those who write what it reads for the particles that it looks at: its own, or its neighbours.
+    const auto depend_on_writers = [&](int f, bool previous, std::uint32_t roles) {
       if (f < 0 || previous) return;
       const auto& graph_field = fields_[static_cast<std::size_t>(f)];
       for (const int w : node.initial ? graph_field.initial_writers : graph_field.writers) {
-        if (w != static_cast<int>(n)) add_once(node.depends, w);
+        if (w != static_cast<int>(n) && (nodes_[static_cast<std::size_t>(w)].targets & roles) != 0)
+          add_once(node.depends, w);
       }
     };
     const auto depend = [&](const PassNode& of) {
@@ -47,12 +49,17 @@ void Graph::link() {
         if (read.field < 0) continue;
         const auto& f = fields_[static_cast<std::size_t>(read.field)];
         if (f.pair_source == PairSource::pass && !node.global) continue;  // evaluated within
+        const std::uint32_t own = node.targets, others = node.sources;
+        const std::uint32_t seen = node.global                 ? std::uint32_t{RIFFLE_ALL_ROLES}
+                                   : read.where == RIFFLE_AT_I ? own
+                                   : read.where == RIFFLE_AT_J ? others
+                                                               : own | others;
         if (f.geometry == 3)
-          depend_on_writers(field("velocity"), read.previous);
+          depend_on_writers(field("velocity"), read.previous, own | others);
         else if (f.kernel_bit >= 0)
-          depend_on_writers(field("smoothing_length"), read.previous);
+          depend_on_writers(field("smoothing_length"), read.previous, own | others);
         else
-          depend_on_writers(read.field, read.previous);
+          depend_on_writers(read.field, read.previous, seen);
       }
     };
     depend(node);
@@ -60,7 +67,7 @@ void Graph::link() {
     if (node.pair && !node.makes_pair_field) {
       const bool any_previous =
           std::any_of(node.reads.begin(), node.reads.end(), [&](const NodeRead& r) { return r.previous; });
-      depend_on_writers(field("smoothing_length"), any_previous);  // the list itself
+      depend_on_writers(field("smoothing_length"), any_previous, node.targets | node.sources);  // the list itself
     }
   }
   for (auto& e : evolved_) {

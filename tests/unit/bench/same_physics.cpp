@@ -27,15 +27,13 @@ BenchRates reference(const BenchState& s) {
       // W = 7 / (4 pi h^2) (1 - q/2)^4 (2 q + 1)
       const double f = 7 / (4 * std::numbers::pi * h * h) * -5 * q * std::pow(1 - q / 2, 3) / h / r;
       const double vx = (s.u[i] - s.u[j]) * dx + (s.w[i] - s.w[j]) * dz;
-      const double mu = h * vx / (r * r + p.eta2()), mean_density = (s.density[i] + s.density[j]) / 2;
-      const double pi = vx < 0 ? -p.alpha * p.sound_speed * mu / mean_density : 0;
-      const double pressures =
-          s.pressure[i] / (s.density[i] * s.density[i]) + s.pressure[j] / (s.density[j] * s.density[j]);
-      rates.acceleration_x[i] -= s.mass[j] * (pressures + pi) * f * dx;
-      rates.acceleration_z[i] -= s.mass[j] * (pressures + pi) * f * dz;
-      rates.density_rate[i] += s.mass[j] * f * vx;
-      rates.density_rate[i] -= 2 * p.delta * h * p.sound_speed * s.mass[j] / s.density[j] *
-                               (s.density[j] - s.density[i]) * f * r * r / (r * r + p.eta2());
+      const double pi = vx < 0 ? -p.alpha * p.sound_speed * h * vx / (r * r + p.eta2()) : 0;
+      const double volume = s.mass[j] / s.density[j];
+      const double push = (s.pressure[i] + s.pressure[j] + p.reference_density * pi) / s.density[i];
+      rates.acceleration_x[i] -= volume * push * f * dx;
+      rates.acceleration_z[i] -= volume * push * f * dz;
+      rates.density_rate[i] += s.density[i] * volume * f * vx;
+      rates.density_rate[i] -= 2 * p.delta * h * p.sound_speed * volume * (s.density[j] - s.density[i]) * f;
     }
   }
   return rates;
