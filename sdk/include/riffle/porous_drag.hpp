@@ -12,6 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "riffle/block.hpp"
 
 namespace riffle::porous_drag {
 
@@ -21,12 +24,12 @@ struct Coefficients {
 };
 
 inline Coefficients ergun(double porosity, double diameter, double viscosity, double c1 = 150, double c2 = 1.75) {
-  const double solid = (1 - porosity) / (porosity * diameter);
+  const double solid = std::max(1 - porosity, 0.0) / (porosity * diameter);
   return {c1 * solid * solid * viscosity, c2 * solid};
 }
 
 inline Coefficients layer(double porosity, double diameter, double drag_coefficient) {
-  return {0, drag_coefficient * (1 - porosity) / diameter};
+  return {0, drag_coefficient * std::max(1 - porosity, 0.0) / diameter};
 }
 
 // W_d at a height above the numerical bed; 0 above the crest, and below the sphere where it stands clear of the bed.
@@ -37,6 +40,17 @@ inline double sphere_shape(double height, double roughness_height, double diamet
 
 inline Coefficients spheres(double height, double roughness_height, double diameter, double drag_coefficient) {
   return {0, 0.5 * drag_coefficient * sphere_shape(height, roughness_height, diameter) / diameter};
+}
+
+// drag_rate += law(k, speed [m/s]) [1/s] for each particle k; reads velocity as in(0), adds to out(0).
+template <class Law>
+void add(const Block& b, Law law) {
+  double* rate = b.out(0);
+  for (std::int64_t k = 0; k < b.size(); ++k) {
+    double square = 0;
+    for (int c = 0; c < b.dim(); ++c) square += b.in(0, c)[k] * b.in(0, c)[k];
+    rate[k] += law(k, std::sqrt(square));
+  }
 }
 
 }  // namespace riffle::porous_drag
