@@ -7,8 +7,6 @@
 // Kozeny and Carman (eq. 4.27 of the source): K phi^3 / (1-phi)^2 over its value at phi0, so that there is no drag at phi = 1.
 // With K of eq. 4.27 and C_F = c2 / sqrt(c1 phi0^3) it is Ergun's law at phi0.
 // Not in it: added mass in unsteady flow, anisotropic media, Brinkman's term (that is the viscous stress of the equations).
-#include <algorithm>
-#include <cmath>
 #include <riffle/porous_drag.hpp>
 #include <riffle/sdk.hpp>
 
@@ -37,9 +35,7 @@ struct DarcyForchheimer {
 
   void run(const riffle::Block& b) const {
     riffle::porous_drag::add(b, [&](std::int64_t k, double speed) {
-      const double phi = b.in(1)[k], pores = at / phi, solid = std::max(1 - phi, 0.0) / (1 - at);
-      const double inverse = solid * solid * pores * pores * pores / permeability;  // 1 / K here
-      return riffle::porous_drag::Coefficients{phi * nu * inverse, form * phi * phi * std::sqrt(inverse)}.rate(speed);
+      return riffle::porous_drag::darcy_forchheimer(b.in(1)[k], permeability, form, at, nu).rate(speed);
     });
   }
   double permeability, form, at, nu;

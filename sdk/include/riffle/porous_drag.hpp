@@ -3,6 +3,7 @@
 // right: A always acts against the velocity, so what a drag plugin adds to the rate is k1 + k2 |u|.
 //
 //   ergun        k1 = c1 (1 - phi)^2 / phi^2 nu / d^2,   k2 = c2 (1 - phi) / (phi d)                       eq. 4.29
+//   darcy_forchheimer   k1 = phi nu / K,   k2 = C_F phi^2 / sqrt(K), K scaled by Kozeny and Carman         eq. 2.21
 //   layer        k1 = 0,   k2 = C_d (1 - phi) / d, of single grains in a roughness layer                   eq. 6.2
 //   spheres      k1 = 0,   k2 = 1/2 C_d W_d / d, of spheres whose crest is at R_d above the bed      eqs 3.3, 3.4, 3.17
 //
@@ -26,6 +27,14 @@ struct Coefficients {
 inline Coefficients ergun(double porosity, double diameter, double viscosity, double c1 = 150, double c2 = 1.75) {
   const double solid = std::max(1 - porosity, 0.0) / (porosity * diameter);
   return {c1 * solid * solid * viscosity, c2 * solid};
+}
+
+// K [m2] and C_F were measured at the porosity `at`; elsewhere K phi^3 / (1 - phi)^2 over its value there.
+inline Coefficients darcy_forchheimer(double porosity, double permeability, double form_coefficient, double at,
+                                      double viscosity) {
+  const double pores = at / porosity, solid = std::max(1 - porosity, 0.0) / (1 - at);
+  const double inverse = solid * solid * pores * pores * pores / permeability;  // 1 / K here
+  return {porosity * viscosity * inverse, form_coefficient * porosity * porosity * std::sqrt(inverse)};
 }
 
 inline Coefficients layer(double porosity, double diameter, double drag_coefficient) {
