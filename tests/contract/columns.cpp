@@ -11,9 +11,9 @@ namespace {
 
 using Given = std::map<std::string, double>;
 
-// Rows: velocity along the bed and across it, pressure, strain rate, eddy viscosity, shear stress.
+// Rows: velocity along the bed and across it, pressure, strain rate, eddy viscosity, modelled and virial shear stress.
 struct At {
-  std::vector<double> value = std::vector<double>(6, -1), scale = std::vector<double>(6, -1);
+  std::vector<double> value = std::vector<double>(7, -1), scale = std::vector<double>(7, -1);
   bool defined = false;
 };
 
@@ -21,7 +21,7 @@ At at(const std::string& id, const Given& given, double z) {
   const Instance instance(plugin("reference", id), 2, given);
   At result;
   std::vector<double*> values, scales;
-  for (std::size_t r = 0; r < 6; ++r) {
+  for (std::size_t r = 0; r < 7; ++r) {
     values.push_back(&result.value[r]);
     scales.push_back(&result.scale[r]);
   }
@@ -66,6 +66,8 @@ TEST(UniformFlowColumn, GivesStressAndPressureThatCarryTheWater) {
     EXPECT_NEAR(p.value[5] / (9810 * 0.004 * (0.05 - z)), 1, 1e-9) << z;
     EXPECT_NEAR(p.value[2], 9810 * std::sqrt(1 - 0.004 * 0.004) * (0.05 - z), 1e-9);
     EXPECT_EQ(p.value[1], 0);
+    EXPECT_EQ(p.value[6], 0);
+    EXPECT_EQ(p.scale[6], p.scale[5]);
     EXPECT_NEAR(p.value[5], 1000 * (1e-6 + p.value[4]) * p.value[3], 2e-3 * p.scale[5]);  // between faces
   }
   EXPECT_FALSE(at("uniform-flow-column", rough, 0.0501).defined);
@@ -82,7 +84,7 @@ TEST(UniformFlowColumn, ReadsTheDepthEitherWay) {
 TEST(UniformFlowColumn, StandsOnItsBedWhereverThatIs) {
   const At low = at("uniform-flow-column", rough, 0.03);
   const At high = at("uniform-flow-column", with(rough, {{"bed_level", 1}}), 1.03);
-  for (std::size_t r = 0; r < 6; ++r) EXPECT_NEAR(high.value[r], low.value[r], 1e-9 * (1 + std::abs(low.value[r])));
+  for (std::size_t r = 0; r < 7; ++r) EXPECT_NEAR(high.value[r], low.value[r], 1e-9 * (1 + std::abs(low.value[r])));
 }
 
 TEST(UniformFlowColumn, SaysWhatIsWrong) {

@@ -54,19 +54,29 @@ inline std::optional<ColumnFlow> channel_flow(const Column& column, const Channe
   return ColumnFlow::of_slope_and_discharge(column, *s.slope, *s.discharge);
 }
 
-// tau_xz of viscosity and eddies, positive where the velocity grows upwards.
-inline constexpr riffle_field shear_stress{sizeof(riffle_field),
-                                           RIFFLE_SCALAR,
-                                           0,
-                                           0,
-                                           "shear_stress",
-                                           "kg.m-1.s-2",
-                                           "stress tau_xz of viscosity and eddies, positive where u grows upwards"};
-inline constexpr const riffle_field* column_gives[] = {&fields::velocity, &fields::pressure, &fields::strain_rate,
-                                                       &fields::eddy_viscosity, &shear_stress};
+// Names of the shear stresses that equation sets of weakly compressible flow offer to outputs. In uniform flow all of it is
+// carried by viscosity and eddies, and pressure forces between particles carry none.
+inline constexpr riffle_field modelled_shear_stress{sizeof(riffle_field),
+                                                    RIFFLE_SCALAR,
+                                                    0,
+                                                    0,
+                                                    "modelled_shear_stress",
+                                                    "kg.m-1.s-2",
+                                                    "rho (nu + nu_t) (du/dz + dw/dx)"};
+inline constexpr riffle_field virial_shear_stress{
+    sizeof(riffle_field),
+    RIFFLE_SCALAR,
+    0,
+    0,
+    "virial_shear_stress",
+    "kg.m-1.s-2",
+    "shear stress that pressure forces between particles carry: 0 in a fluid"};
+inline constexpr const riffle_field* column_gives[] = {&fields::velocity,      &fields::pressure,
+                                                       &fields::strain_rate,   &fields::eddy_viscosity,
+                                                       &modelled_shear_stress, &virial_shear_stress};
 
 // Rows of column_gives, for points in a frame with x along the bed: velocity relative to its mean above the crest, pressure
-// (hydrostatic) and stress to their values at the bottom, the other two to u* / H and u* H. Defined in the water.
+// (hydrostatic) and stresses to their values at the bottom, the other two to u* / H and u* H. Defined in the water.
 class ColumnProfile {
  public:
   ColumnProfile(ColumnFlow flow, const Column& column, double density)
@@ -93,9 +103,10 @@ class ColumnProfile {
       }
       const double phi = porosity_ ? porosity_(z) : 1;
       const double rows[] = {normal * (flow_.level() - z), std::abs(flow_.gradient(z)), flow_.eddy_viscosity(z),
-                             density_ * flow_.stress(z) / phi};
-      const double sizes[] = {normal * depth_, friction / depth_, friction * depth_, density_ * friction * friction};
-      for (int r = 0; r < 4; ++r) {
+                             density_ * flow_.stress(z) / phi, 0.0};
+      const double sizes[] = {normal * depth_, friction / depth_, friction * depth_, density_ * friction * friction,
+                              density_ * friction * friction};
+      for (int r = 0; r < 5; ++r) {
         values[dim + r][k] = rows[r];
         scales[dim + r][k] = sizes[r];
       }
