@@ -104,6 +104,7 @@ Instance::Instance(const riffle_plugin& plugin, int dim, const std::map<std::str
     : plugin_(plugin) {
   const auto parameters = entries(plugin.parameters);
   functions_.resize(parameters.size());
+  numbers_.resize(parameters.size());
   std::vector<std::string> words(parameters.size());
   std::vector<riffle_value> values;
   std::size_t used = 0;
@@ -111,12 +112,15 @@ Instance::Instance(const riffle_plugin& plugin, int dim, const std::map<std::str
     const riffle_parameter& p = *parameters[k];
     double number = p.type == RIFFLE_CHOICE ? index_of(p.choices, p.fallback_text) : p.fallback;
     if (p.inherit != nullptr && usual_quantities().count(p.inherit) != 0) number = usual_quantities().at(p.inherit);
+    if ((p.flags & RIFFLE_REQUIRED) != 0 && (p.flags & RIFFLE_ABOVE_MIN) != 0)
+      number = std::min(p.min + 1, p.min / 2 + p.max / 2);
     const auto found = given.find(p.name);
     if (found != given.end()) {
       ++used;
       number = found->second;
     }
-    functions_[k] = {sizeof(riffle_function), 0, &p.fallback, &constant};
+    numbers_[k] = number;
+    functions_[k] = {sizeof(riffle_function), 0, &numbers_[k], &constant};
     if (p.type == RIFFLE_CHOICE) words[k] = word_at(p.choices, number);
     const char* text = p.type == RIFFLE_CHOICE ? words[k].c_str() : p.fallback_text;
     values.push_back({sizeof(riffle_value), found != given.end() ? 1u : 0u, number, text,

@@ -41,7 +41,7 @@ struct Refused : std::runtime_error {
 // A scene of one metre, without bed and a metre wide.
 const riffle_services& flat_metre();
 
-// One instance. Parameters that are not given have their default; choices are given by index. Throws Refused with the
+// One instance. Parameters that are not given have their default; choices are given by index, functions are constant. Throws Refused with the
 // plugin's own sentence, and std::out_of_range for a parameter that the plugin does not have.
 class Instance {
  public:
@@ -57,7 +57,8 @@ class Instance {
 
  private:
   const riffle_plugin& plugin_;
-  std::vector<riffle_function> functions_;  // must outlive the instance
+  std::vector<riffle_function> functions_;  // these two must outlive the instance
+  std::vector<double> numbers_;
   void* self_ = nullptr;
 };
 
