@@ -15,8 +15,9 @@ void add_advise(CLI::App& app, int& code) {
   auto request = std::make_shared<AdviceRequest>();
   auto json = std::make_shared<bool>(false);
   command->add_option("case", request->manifest, "The manifest (TOML)")->required();
-  command->add_option("--tolerance", request->tolerance,
-                      "Change of the depth that does not matter, as a share of it; default 0.005")
+  command
+      ->add_option("--tolerance", request->tolerance,
+                   "Change of the depth that does not matter, as a share of it; default 0.005")
       ->check(CLI::Range(1e-6, 1.0));
   command->add_flag("--verify", request->verify, "Measure what each term changes, by two short runs that differ in it");
   command->add_option("--budget", request->budget, "CPU time in seconds that one run of --verify may take; default 20")

@@ -32,12 +32,12 @@ struct TermTrial {
 
 // Something that a model may leave out.
 struct Term {
-  std::string name;                // "vertical acceleration"
-  double contributes = 0;          // estimate; NaN: nothing here tells
-  std::string how;                 // where the estimate is from, one clause
-  std::string obstacle;            // why it cannot be kept although it matters, or ""
-  bool kept = false;               // by the proposal
-  std::optional<TermTrial> trial;  // nothing when there is nothing to run
+  std::string name;                       // "vertical acceleration"
+  double contributes = 0;                 // estimate; NaN: nothing here tells
+  std::string how;                        // where the estimate is from, one clause
+  std::string obstacle;                   // why it cannot be kept although it matters, or ""
+  bool kept = false;                      // by the proposal
+  std::optional<TermTrial> trial;         // nothing when there is nothing to run
   [[nodiscard]] double measured() const;  // NaN unless a trial has told
   [[nodiscard]] double best() const;      // measured, else the estimate
   [[nodiscard]] bool matters(double tolerance) const { return best() > tolerance; }

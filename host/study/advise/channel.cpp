@@ -14,11 +14,11 @@
 namespace riffle {
 namespace {
 
-constexpr double patience = 5;                  // s of CPU for one scout
-constexpr int fewest = 200, most = 800;         // particles of a scout
+constexpr double patience = 5;           // s of CPU for one scout
+constexpr int fewest = 200, most = 800;  // particles of a scout
 constexpr int most_in_trials = 4000;
-constexpr double at_rest = 1e-3;                // Froude number of water that stands still
-constexpr double steady_share = 0.7;            // of the time, after which ending early is not worth a line
+constexpr double at_rest = 1e-3;      // Froude number of water that stands still
+constexpr double steady_share = 0.7;  // of the time, after which ending early is not worth a line
 
 Overrides operator+(Overrides a, const Overrides& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -32,6 +32,12 @@ Overrides with_count(double count) {
 std::string two_digits_up(double value) {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
   return fmt::format("{:g}", std::ceil(value / digit - 1e-9) * digit);
+}
+
+// A refusal without the file and line in front of it, which are those of the case as it was given.
+std::string without_place(const std::string& line) {
+  const std::size_t sentence = line.find(": ");
+  return sentence == std::string::npos ? line : line.substr(sentence + 2);
 }
 
 class ChannelAdviser {
@@ -91,7 +97,8 @@ class ChannelAdviser {
       scout_ = run_scout(changes, cells_);
       if (scout_.states.size() > 2) {
         if (!scout_.good()) {
-          advice_.notes.push_back(fmt::format("judged up to t = {:.3g} s only: {}", scout_.last().time, scout_.problem));
+          advice_.notes.push_back(
+              fmt::format("judged up to t = {:.3g} s only: {}", scout_.last().time, scout_.problem));
           scout_.problem.clear();
         }
         model_ = &model;
@@ -138,7 +145,7 @@ class ChannelAdviser {
       const Overrides changes = overrides_for(model, scene_, dispersion_.breaks);
       const Trial trial = attempt(request_.manifest, request_.overrides + changes + count + quiet_output(), registry_);
       if (!trial.refusals.empty()) {
-        if (term.obstacle.empty()) term.obstacle = trial.refusals.front();
+        if (term.obstacle.empty()) term.obstacle = without_place(trial.refusals.front());
         continue;
       }
       term.obstacle.clear();
@@ -160,7 +167,7 @@ class ChannelAdviser {
       if (plugin->kind != "drag") continue;
       for (const ParameterDescription& parameter : plugin->parameters) {
         if (parameter.name == "friction_factor")
-          return {in_slots(fmt::format("plugins.drag.id=\"{}\"", plugin->id), scene_),
+          return {in_slots("plugins.drag.id=" + plugin->id, scene_),
                   in_slots(fmt::format("plugins.drag.friction_factor={:.4g}", factor), scene_)};
       }
     }
@@ -230,8 +237,8 @@ class ChannelAdviser {
   }
 
   Term* term(const std::string& name) {
-    const auto found = std::find_if(advice_.terms.begin(), advice_.terms.end(),
-                                    [&](const Term& one) { return one.name == name; });
+    const auto found =
+        std::find_if(advice_.terms.begin(), advice_.terms.end(), [&](const Term& one) { return one.name == name; });
     return found == advice_.terms.end() ? nullptr : &*found;
   }
 
@@ -264,8 +271,9 @@ class ChannelAdviser {
       advice_.notes.push_back("vertical acceleration matters, and no installed model can keep it here: " +
                               dispersion->obstacle);
     if (!has_drag() && friction->best() > tolerance)
-      advice_.notes.push_back(fmt::format(
-          "the case has no bed friction; a real bed would change the depth by at least {:.2g} %", 100 * friction->best()));
+      advice_.notes.push_back(
+          fmt::format("the case has no bed friction; a real bed would change the depth by at least {:.2g} %",
+                      100 * friction->best()));
     add_costs();
   }
 

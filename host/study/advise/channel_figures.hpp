@@ -18,7 +18,8 @@ struct ChannelScales {
 };
 
 ChannelScales scales_of(const Scout& scout, const Case& scene, double tolerance);
-std::vector<SceneFigure> figures_of(const ChannelScales& scales, const DispersionEstimate& dispersion, const Case& scene);
+std::vector<SceneFigure> figures_of(const ChannelScales& scales, const DispersionEstimate& dispersion,
+                                    const Case& scene);
 
 // Roughness height [m] of the drag of the case, by Strickler's n = k^(1/6) / 21.1 where it gives Manning's n or Chezy's C;
 // NaN when it gives none.

@@ -11,10 +11,10 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-double of_front(const Front& front, double gravity, double time) {
+double of_front(const Front& front, double gravity, double time, bool steady) {
   const double h1 = front.shallow, rise = front.deep - front.shallow, d = front.strength();
   const double c1 = std::sqrt(gravity * h1), rounded = std::cbrt(0.5 * h1 * h1 * c1 * time);
-  if (d > breaking_strength) return 1.3 * rise * std::min(rounded, 6 * front.deep);
+  if (d > breaking_strength) return rise * (steady ? 1.5 * front.deep : std::min(1.8 * rounded, 3.6 * front.deep));
   return h1 * c1 * time * d * d / (1 + d) + 1.3 * rise * rounded;
 }
 
@@ -81,30 +81,31 @@ DispersionEstimate estimate_dispersion(const Scout& scout, double gravity, bool 
         if (state.depth[k] > 0) seen.push_back(ratio[k]);
       }
     }
-    // The first smooth state tells of waves that steepen into a front only because nothing disperses them.
+    // The first state tells of waves that become a front only because nothing disperses them, unless it is a sketch with jumps.
     FlowState late = state;
     late.time = scout.last().time;
-    if (s == 0 || s + 1 == scout.states.size()) {
-      smooth = std::max(smooth, of_smooth_flow(line, late, ratio, gravity, steady && s > 0));
+    const bool sketch = *std::max_element(ratio.begin(), ratio.end()) > 1;
+    if (s + 1 == scout.states.size() || (s == 0 && !steady && !sketch)) {
+      smooth = std::max(smooth, of_smooth_flow(line, late, ratio, gravity, steady));
     }
   }
   estimate.smooth = smooth;
   if (!seen.empty()) {
-    const std::size_t place = seen.size() * 95 / 100;
+    const std::size_t place = seen.size() * 995 / 1000;
     std::nth_element(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(place), seen.end());
     estimate.largest_ratio = seen[place];
   }
   const FlowState& last = scout.last();
   double bores = 0, highest = 0;
   for (const Front& front : fronts_of(line, last)) {
-    bores += of_front(front, gravity, last.time);
+    bores += of_front(front, gravity, last.time, steady);
     estimate.strongest_front = std::max(estimate.strongest_front, front.strength());
     highest = std::max(highest, front.deep - front.shallow);
     estimate.breaks = estimate.breaks || front.strength() > breaking_strength;
   }
   double above = 0;
   const double drop = largest_drop(line, scout.states.front(), above);
-  if (highest > 0 && drop > highest) bores += 0.3 * above * (drop - highest);
+  if (!steady && drop > highest) bores += 0.3 * above * (drop - highest);
   const double volume = sum_of(last.depth) * line.step();
   estimate.fronts = volume > 0 ? bores / volume : 0;
   return estimate;

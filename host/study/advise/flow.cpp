@@ -52,7 +52,7 @@ double relative_difference(const FlowLine& line, const std::vector<double>& a, c
 }
 
 std::vector<Front> fronts_of(const FlowLine& line, const FlowState& state) {
-  constexpr double steep = 0.01;        // change of the level from point to point over the depth
+  constexpr double steep = 0.01;  // change of the level from point to point over the depth
   constexpr std::size_t widest = 14, beside = 2;
   std::vector<Front> fronts;
   const std::vector<double>&h = state.depth, &u = state.velocity;

@@ -30,8 +30,8 @@ double relative_difference(const FlowLine& line, const std::vector<double>& a, c
 
 // A bore or jump: over few points the depth rises and the water on both sides closes in.
 struct Front {
-  std::size_t begin = 0, end = 0;       // points
-  double shallow = 0, deep = 0;         // depths on both sides, m
+  std::size_t begin = 0, end = 0;  // points
+  double shallow = 0, deep = 0;    // depths on both sides, m
   [[nodiscard]] double strength() const { return (deep - shallow) / shallow; }
 };
 std::vector<Front> fronts_of(const FlowLine& line, const FlowState& state);

@@ -12,13 +12,22 @@ std::filesystem::path notes_file(const PluginDescription& plugin) {
   return std::filesystem::path(plugin.library_path).replace_extension(".model.toml");
 }
 
+// Words stand without quotes, as one would type them.
+std::string typed(const TomlNode& value) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  const std::string& text = value.text;
+  const bool word = value.is_text() && !text.empty() && text.find_first_not_of(plain) == std::string::npos &&
+                    text.front() >= 'a' && text != "true" && text != "false" && text != "inf" && text != "nan";
+  return word ? text : value.as_toml();
+}
+
 void add_changes(const TomlNode& table, const std::string& prefix, Overrides& changes) {
   for (const TomlEntry& entry : table.entries) {
     const std::string key = prefix.empty() ? entry.key : prefix + '.' + entry.key;
     if (entry.value.is_table() && !entry.value.in_braces) {
       add_changes(entry.value, key, changes);
     } else {
-      changes.push_back(key + '=' + entry.value.as_toml());
+      changes.push_back(key + '=' + typed(entry.value));
     }
   }
 }
@@ -42,9 +51,10 @@ ModelNotes read_notes(const PluginDescription& plugin, const std::filesystem::pa
     } else if (entry.key == "set_where_water_breaks" && value.is_table()) {
       add_changes(value, "", notes.set_where_water_breaks);
     } else {
-      mistakes.add(entry.place, "notes of a model have keeps (words), preference and cells_per_depth (numbers), "
-                                "needs_water_everywhere (true or false), [set] and [set_where_water_breaks], got " +
-                                    entry.key + " = " + value.shown());
+      mistakes.add(entry.place,
+                   "notes of a model have keeps (words), preference and cells_per_depth (numbers), "
+                   "needs_water_everywhere (true or false), [set] and [set_where_water_breaks], got " +
+                       entry.key + " = " + value.shown());
     }
   }
   mistakes.throw_if_any();
@@ -82,7 +92,7 @@ std::string in_slots(const std::string& change, const Case& scene) {
 }
 
 Overrides overrides_for(const ModelNotes& model, const Case& scene, bool water_breaks) {
-  Overrides changes{in_slots("plugins.equations.id=\"" + model.plugin->id + '"', scene)};
+  Overrides changes{in_slots("plugins.equations.id=" + model.plugin->id, scene)};
   for (const std::string& change : model.set) changes.push_back(in_slots(change, scene));
   if (water_breaks) {
     for (const std::string& change : model.set_where_water_breaks) changes.push_back(in_slots(change, scene));

@@ -65,8 +65,8 @@ void run_scout(Scout& result, Simulation& simulation, double seconds) {
 }  // namespace
 
 Overrides quiet_output() {
-  return {"output.picture=false",  "output.fields=[]",    "output.snapshots=0",
-          "output.profiles=0",     "output.checkpoint=0", "output.checkpoint_wall=0"};
+  return {"output.picture=false", "output.fields=[]",    "output.snapshots=0",
+          "output.profiles=0",    "output.checkpoint=0", "output.checkpoint_wall=0"};
 }
 
 Scout scout(const AdviceRequest& request, const Overrides& further, int cells, const Registry& registry,

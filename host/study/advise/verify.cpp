@@ -96,8 +96,14 @@ class Verifier {
     const auto out = [&](std::size_t k) { return folder.path() / std::to_string(k); };
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       Job job;
-      job.command = {std::filesystem::read_symlink("/proc/self/exe").string(), "run", request_.manifest.string(),
-                     "--threads", "1", "--quiet", "--out", out(k).string()};
+      job.command = {std::filesystem::read_symlink("/proc/self/exe").string(),
+                     "run",
+                     request_.manifest.string(),
+                     "--threads",
+                     "1",
+                     "--quiet",
+                     "--out",
+                     out(k).string()};
       for (const auto& path : request_.plugin_path) job.command.insert(job.command.end(), {"--plugin-path", path});
       for (const Overrides& changes : {request_.overrides, quiet_output(), wanted[k]}) {
         for (const std::string& change : changes) job.command.insert(job.command.end(), {"--set", change});
@@ -112,7 +118,7 @@ class Verifier {
         std::ifstream record(out(k) / "run.json");
         if (!record) throw std::runtime_error("it left no record");
         const nlohmann::json json = nlohmann::json::parse(record);
-        if (json.at("state") == "failed") throw std::runtime_error(json.value("reason", "it failed"));
+        if (json.at("status") == "failed") throw std::runtime_error(json.value("message", "it failed"));
         run.cpu_seconds = json.at("cpu_seconds").get<double>();
         const auto columns = profile_columns(out(k) / "profile.csv", {"x", "depth"});
         run.state = {json.at("time").get<double>(), along_line(line_, columns[0], columns[1]), {}};
@@ -143,8 +149,8 @@ class Verifier {
 
 }  // namespace
 
-void verify_terms(const AdviceRequest& request, const std::array<double, 2>& region,
-                  const Scout& scout, Advice& advice) {
+void verify_terms(const AdviceRequest& request, const std::array<double, 2>& region, const Scout& scout,
+                  Advice& advice) {
   Verifier(request, scout, advice).run(region);
 }
 

@@ -11,7 +11,7 @@ namespace riffle {
 
 // Runs the trials of all terms, each run once however many terms need it, and fills them in. `region`: extent of x in which
 // depths are compared. Runs that would take longer than request.budget, going by the scout, are cut in time, and a note says so.
-void verify_terms(const AdviceRequest& request, const std::array<double, 2>& region,
-                  const Scout& scout, Advice& advice);
+void verify_terms(const AdviceRequest& request, const std::array<double, 2>& region, const Scout& scout,
+                  Advice& advice);
 
 }  // namespace riffle
