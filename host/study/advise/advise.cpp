@@ -5,6 +5,7 @@
 #include "host/study/advise/advice.hpp"
 #include "host/study/advise/channel.hpp"
 #include "host/study/advise/model_notes.hpp"
+#include "host/study/advise/plane.hpp"
 
 namespace riffle {
 
@@ -23,10 +24,11 @@ Advice advise(const AdviceRequest& request, const Registry& registry) {
   advice.case_name = scene.name;
   advice.title = scene.title;
   advice.tolerance = request.tolerance;
-  if (scene.dimension != 1)
-    throw std::runtime_error("riffle advise knows flow along a channel, in one dimension; this case has " +
-                             std::to_string(scene.dimension));
-  advise_on_channel(request, scene, registry, models, advice);
+  if (scene.dimension == 1) {
+    advise_on_channel(request, scene, registry, models, advice);
+  } else {
+    advise_on_plane(request, scene, registry, models, advice);
+  }
   return advice;
 }
 

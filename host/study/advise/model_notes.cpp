@@ -40,6 +40,10 @@ ModelNotes read_notes(const PluginDescription& plugin, const std::filesystem::pa
     const TomlNode& value = entry.value;
     if (entry.key == "keeps" && value.is_array()) {
       for (const TomlNode& item : value.items) notes.keeps.push_back(item.text);
+    } else if (entry.key == "contains" && value.is_array()) {
+      for (const TomlNode& item : value.items) notes.contains.push_back(item.text);
+    } else if (entry.key == "from" && value.is_table()) {
+      for (const TomlEntry& one : value.entries) notes.from.emplace_back(one.key, one.value.text);
     } else if (entry.key == "preference" && value.is_number()) {
       notes.preference = value.number;
     } else if (entry.key == "cells_per_depth" && value.is_number()) {
@@ -51,10 +55,11 @@ ModelNotes read_notes(const PluginDescription& plugin, const std::filesystem::pa
     } else if (entry.key == "set_where_water_breaks" && value.is_table()) {
       add_changes(value, "", notes.set_where_water_breaks);
     } else {
-      mistakes.add(entry.place,
-                   "notes of a model have keeps (words), preference and cells_per_depth (numbers), "
-                   "needs_water_everywhere (true or false), [set] and [set_where_water_breaks], got " +
-                       entry.key + " = " + value.shown());
+      mistakes.add(
+          entry.place,
+          "notes of a model have keeps and contains (words), from (a table), preference and cells_per_depth (numbers), "
+          "needs_water_everywhere (true or false), [set] and [set_where_water_breaks], got " +
+              entry.key + " = " + value.shown());
     }
   }
   mistakes.throw_if_any();

@@ -4,12 +4,15 @@
 //   keeps = ["change along the flow", "vertical acceleration"]
 //   preference = 1                  # among models that keep the same: the least first
 //   cells_per_depth = 4             # spacing that it needs, where it needs one
+//   contains = ["drag roughness-layer"]      # of a column: closures of a case that it has too
+//   from = { slope = "equations.bed_slope" } # and its parameters that other plugins of the case have under another name
 //   [set]                           # as --set; plugins.<kind> stands for the table of that kind, whatever its name
 //   plugins.viscosity.id = "none"
 //   [set_where_water_breaks]        # further ones
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/plugins/registry.hpp"
@@ -27,6 +30,8 @@ struct ModelNotes {
   double preference = 100, cells_per_depth = 0;
   bool needs_water_everywhere = false;  // it cannot wet what was dry at t = 0
   Overrides set, set_where_water_breaks;
+  std::vector<std::string> contains;
+  std::vector<std::pair<std::string, std::string>> from;
   [[nodiscard]] bool keeps_term(const std::string& term) const;
 };
 
