@@ -17,5 +17,6 @@ void add_check(CLI::App& app, int& code);
 void add_new(CLI::App& app, int& code);
 void add_compare(CLI::App& app, int& code);
 void add_stability(CLI::App& app, int& code);
+void add_advise(CLI::App& app, int& code);
 
 }  // namespace riffle

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   riffle::add_run(app, code);
   riffle::add_compare(app, code);
   riffle::add_stability(app, code);
+  riffle::add_advise(app, code);
   riffle::add_list(app, code);
   riffle::add_describe(app, code);
   riffle::add_explain(app, code);

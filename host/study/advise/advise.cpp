@@ -1,0 +1,35 @@
+#include <cmath>
+#include <limits>
+
+#include "host/manifest/read.hpp"
+#include "host/study/advise/advice.hpp"
+#include "host/study/advise/channel.hpp"
+#include "host/study/advise/model_notes.hpp"
+#include "host/study/advise/plane.hpp"
+
+namespace riffle {
+
+double Term::measured() const {
+  return trial && trial->done ? trial->difference : std::numeric_limits<double>::quiet_NaN();
+}
+
+double Term::best() const {
+  return trial && trial->done ? trial->difference : contributes;
+}
+
+Advice advise(const AdviceRequest& request, const Registry& registry) {
+  const Case scene = read_case(request.manifest, request.overrides, registry);
+  const std::vector<ModelNotes> models = known_models(registry);
+  Advice advice;
+  advice.case_name = scene.name;
+  advice.title = scene.title;
+  advice.tolerance = request.tolerance;
+  if (scene.dimension == 1) {
+    advise_on_channel(request, scene, registry, models, advice);
+  } else {
+    advise_on_plane(request, scene, registry, models, advice);
+  }
+  return advice;
+}
+
+}  // namespace riffle

@@ -1,0 +1,283 @@
+#include "host/study/advise/plane.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/study/advise/plane_probe.hpp"
+#include "host/study/advise/scout.hpp"
+#include "host/study/attempt.hpp"
+
+namespace riffle {
+namespace {
+
+constexpr double undriven = 1e-4;  // acceleration over gravity of water that stays where it is
+
+const PluginChoice* chosen(const Case& scene, const std::string& kind) {
+  for (const PluginChoice& choice : scene.plugins) {
+    if (choice.kind == kind && choice.id != "none") return &choice;
+  }
+  return nullptr;
+}
+
+// Water that leaves at one end enters at the other: a boundary plugin whose parameter x says so.
+bool goes_round(const Case& scene) {
+  bool round = false;
+  for (const PluginChoice& choice : scene.plugins) {
+    if (choice.kind != "boundary") continue;
+    for (const ParameterValue& value : choice.values) {
+      if (value.name == "x" && value.number != 0) round = true;
+      if ((value.name == "x_min" || value.name == "x_max") && value.number != 0) return false;
+      if (value.name == "end" || value.name == "discharge") return false;  // an open end
+    }
+  }
+  return round;
+}
+
+bool same_along_x(const Function& function, const Case& scene) {
+  constexpr int points = 23;
+  if (!function.valid()) return true;
+  const auto at = [&](int axis, int k) {
+    const auto a = static_cast<std::size_t>(axis);
+    return scene.lower[a] + (scene.upper[a] - scene.lower[a]) * (k + 0.5) / points;
+  };
+  const int up = scene.dimension - 1;
+  for (int j = 0; j < points; ++j) {
+    const double z = at(up, j), first = function(at(0, 0), 0, z);
+    for (int k = 1; k < points; ++k) {
+      const double other = function(at(0, k), 0, z);
+      if (std::abs(other - first) > 1e-9 * (std::abs(first) + std::abs(other))) return false;
+    }
+  }
+  return true;
+}
+
+// Nothing in the scene knows where along x it is.
+bool uniform_along_x(const Case& scene) {
+  if (!goes_round(scene) || !same_along_x(scene.placement.inside, scene)) return false;
+  for (const auto& [field, functions] : scene.initial) {
+    for (const Function& function : functions) {
+      if (!same_along_x(function, scene)) return false;
+    }
+  }
+  for (const PluginChoice& choice : scene.plugins) {
+    for (const ParameterValue& value : choice.values) {
+      if (value.function != nullptr && !same_along_x(*value.function, scene)) return false;
+    }
+  }
+  return true;
+}
+
+class PlaneAdviser {
+ public:
+  PlaneAdviser(const AdviceRequest& request, const Case& scene, const Registry& registry,
+               const std::vector<ModelNotes>& models, Advice& advice)
+      : request_(request),
+        scene_(scene),
+        registry_(registry),
+        models_(models),
+        advice_(advice),
+        scales_(probe_plane(scene, registry)) {}
+
+  void advise() {
+    add_figures();
+    advice_.cpu_given = estimated_cost(request_, quiet_output(), registry_);
+    if (scales_.driving < undriven * scene_.gravity) {
+      rest();
+      return;
+    }
+    const bool uniform = uniform_along_x(scene_);
+    add("change along the flow", uniform ? 0 : std::numeric_limits<double>::quiet_NaN(),
+        uniform ? "nothing in the scene knows where along x it is" : "the scene is not the same everywhere along x",
+        "");
+    advice_.terms.back().kept = !uniform;
+    add_drag();
+    add_eddies();
+    add("viscosity of the water", scales_.laminar_stress,
+        "its stress over the force that drives the water, at the speed above", "");
+    if (scales_.sound_speed > 0)
+      add("compressibility", std::pow(scales_.speed / scales_.sound_speed, 2), "the square of the Mach number", "");
+    if (uniform && propose_column()) return;
+    propose_parts();
+  }
+
+ private:
+  void figure(const char* key, const char* name, const char* unit, double value) {
+    if (std::isfinite(value)) advice_.figures.push_back({key, name, unit, value});
+  }
+  void add(const std::string& name, double contributes, const std::string& how, const std::string& change) {
+    Term term;
+    term.name = name;
+    term.contributes = contributes;
+    term.how = how;
+    term.kept = !(contributes <= request_.tolerance);
+    advice_.terms.push_back(term);
+    if (!term.kept && !change.empty()) parts_.push_back(change);
+  }
+
+  void add_figures() {
+    const double nu = scene_.viscosity, none = std::numeric_limits<double>::quiet_NaN();
+    figure("mean_depth", "mean depth of the columns of water", "m", scales_.depth);
+    figure("depth_over_length", "depth over length of the water", "1", scales_.depth / scales_.length);
+    figure("particles_over_depth", "particles over the depth", "1", scales_.depth / scales_.spacing);
+    figure("driving", "what drives the water along x, over gravity", "1", scales_.driving / scene_.gravity);
+    figure("speed", "speed that this brings it to", "m/s", scales_.speed);
+    figure("froude_number", "Froude number", "1", scales_.speed / std::sqrt(scene_.gravity * scales_.depth));
+    figure("reynolds_number", "Reynolds number of the depth", "1", nu > 0 ? scales_.speed * scales_.depth / nu : none);
+    figure("mach_number", "speed over that of sound", "1",
+           scales_.sound_speed > 0 ? scales_.speed / scales_.sound_speed : none);
+    if (scales_.porous) figure("porosity", "smallest porosity", "1", scales_.smallest_porosity);
+    if (scales_.grain > 0) {
+      figure("grains_over_depth", "grain over depth", "1", scales_.grain / scales_.depth);
+      figure("pore_reynolds_number", "Reynolds number of the grains", "1",
+             nu > 0 ? scales_.speed * scales_.grain / nu : none);
+    }
+    if (scales_.has_drag()) {
+      figure("drag_share", "share of the water on which drag acts", "1", scales_.drag_share);
+      figure("form_drag", "share of drag that grows with speed", "1",
+             scales_.whole_drag > 0 ? 1 - scales_.viscous_drag / scales_.whole_drag : none);
+      figure("grain_time_over_step", "time scale of drag over the time step", "1",
+             scales_.whole_drag > 0 ? 1 / (scales_.whole_drag * scales_.step) : none);
+    }
+  }
+
+  void rest() {
+    Term motion;
+    motion.name = "motion";
+    motion.contributes = 0;
+    motion.how = fmt::format("columns of water accelerate by {:.1e} of gravity", scales_.driving / scene_.gravity);
+    advice_.terms.push_back(motion);
+    advice_.model = "none: nothing drives the water, and its initial state is the answer; one step shows it";
+    advice_.proposal = {"time.max_steps=1"};
+    advice_.cpu_proposed = estimated_cost_of_one_step();
+  }
+
+  void add_drag() {
+    if (!scales_.has_drag()) return;
+    const double force = scales_.whole_drag * scales_.speed * scales_.drag_share;
+    add("drag", force / std::max(scales_.driving, force), "its force over that which drives the water", "");
+    if (scales_.whole_drag > 0) {
+      add("viscous part of drag", scales_.viscous_drag / scales_.whole_drag,
+          "drag of water at rest over that at the speed above", "");
+      add("form part of drag", 1 - scales_.viscous_drag / scales_.whole_drag, "the rest of it", "");
+    }
+    if (scales_.whole_drag * scales_.step > 1)
+      advice_.notes.push_back(fmt::format(
+          "drag acts within {:.2g} time steps: time.drag must stay implicit, or the step be cut to {:.2g} s",
+          1 / (scales_.whole_drag * scales_.step), 1 / scales_.whole_drag));
+  }
+
+  void add_eddies() {
+    if (chosen(scene_, "turbulence") == nullptr) return;
+    add("eddies", scales_.eddy_stress, "stress of a parabola of that speed over the force that drives the water",
+        in_slots("plugins.turbulence.id=none", scene_));
+  }
+
+  [[nodiscard]] double estimated_cost_of_one_step() const {
+    AdviceRequest one = request_;
+    one.overrides.insert(one.overrides.end(), advice_.proposal.begin(), advice_.proposal.end());
+    one.overrides.push_back(fmt::format("time.end={:.3g}", scales_.step));
+    return estimated_cost(one, quiet_output(), registry_);
+  }
+
+  // "drag roughness-layer", as notes name closures that a column has too.
+  [[nodiscard]] bool contains_closures(const ModelNotes& model) const {
+    for (const char* kind : {"drag", "turbulence"}) {
+      const PluginChoice* const choice = chosen(scene_, kind);
+      if (choice == nullptr) continue;
+      const std::string name = std::string(kind) + ' ' + choice->id;
+      if (std::find(model.contains.begin(), model.contains.end(), name) == model.contains.end()) return false;
+    }
+    return true;
+  }
+
+  // The value that the case has for a parameter of the column: by what its notes say, else by its name in any closure.
+  [[nodiscard]] std::string value_for(const ModelNotes& model, const ParameterDescription& wanted) const {
+    std::string source = "." + wanted.name;
+    for (const auto& [name, from] : model.from) {
+      if (name != wanted.name) continue;
+      if (from == "depth of the water") return fmt::format("{:.12g}", scales_.depth);
+      source = from;
+    }
+    const std::size_t dot = source.find('.');
+    for (const PluginChoice& choice : scene_.plugins) {
+      if (dot > 0 && choice.kind != source.substr(0, dot)) continue;
+      if (dot == 0 && choice.kind != "drag" && choice.kind != "turbulence") continue;
+      for (std::size_t p = 0; p < choice.values.size(); ++p) {
+        const ParameterValue& value = choice.values[p];
+        if (value.name != source.substr(dot + 1)) continue;
+        const ParameterType type = choice.description->parameters[p].type;
+        if (type == ParameterType::choice && wanted.type == ParameterType::choice) {
+          const auto& words = wanted.choices;
+          return std::find(words.begin(), words.end(), value.text) != words.end() ? value.text : "";
+        }
+        if (wanted.type != ParameterType::real) continue;
+        if (value.function != nullptr) return fmt::format("{:.12g}", (*value.function)(scene_.lower[0]));
+        return fmt::format("{:.12g}", value.number);
+      }
+    }
+    return "";
+  }
+
+  bool propose_column() {
+    std::string obstacle;
+    for (const ModelNotes& model : models_) {
+      if (!model.keeps_term(over_the_depth) || model.keeps_term(along_the_flow) || !contains_closures(model)) continue;
+      Overrides proposal{"reference.id=" + model.plugin->id, "time.max_steps=1"};
+      for (const ParameterDescription& parameter : model.plugin->parameters) {
+        if (!parameter.inherit.empty()) continue;
+        const std::string value = value_for(model, parameter);
+        if (!value.empty()) proposal.push_back("reference." + parameter.name + '=' + value);
+      }
+      Overrides all = request_.overrides;
+      for (const Overrides& changes : {proposal, quiet_output()}) all.insert(all.end(), changes.begin(), changes.end());
+      const Trial trial = attempt(request_.manifest, all, registry_);
+      if (!trial.refusals.empty()) {
+        obstacle = trial.refusals.front();
+        continue;
+      }
+      advice_.proposal = proposal;
+      advice_.model = model.plugin->id +
+                      ": a column of water, solved once; one step writes it beside the particles, exact in profile.csv";
+      for (Term& term : advice_.terms) {
+        if (term.name == "compressibility") term.kept = false;
+      }
+      advice_.cpu_proposed = estimated_cost_of_one_step();
+      return true;
+    }
+    advice_.notes.push_back("a column of water would tell all, and no installed one has these closures" +
+                            (obstacle.empty() ? std::string() : ": " + obstacle));
+    return false;
+  }
+
+  void propose_parts() {
+    advice_.proposal = parts_;
+    advice_.model =
+        chosen(scene_, "equations")->id + (parts_.empty() ? " as it is: every part of it that can be left out matters"
+                                                          : " without what changes less than the tolerance");
+    advice_.cpu_proposed = parts_.empty() ? advice_.cpu_given : estimated_cost(request_, with_quiet(parts_), registry_);
+  }
+  [[nodiscard]] static Overrides with_quiet(Overrides changes) {
+    for (const std::string& change : quiet_output()) changes.push_back(change);
+    return changes;
+  }
+
+  const AdviceRequest& request_;
+  const Case& scene_;
+  const Registry& registry_;
+  const std::vector<ModelNotes>& models_;
+  Advice& advice_;
+  PlaneScales scales_;
+  Overrides parts_;
+};
+
+}  // namespace
+
+void advise_on_plane(const AdviceRequest& request, const Case& scene, const Registry& registry,
+                     const std::vector<ModelNotes>& models, Advice& advice) {
+  PlaneAdviser(request, scene, registry, models, advice).advise();
+}
+
+}  // namespace riffle

@@ -1,0 +1,192 @@
+#include "host/study/advise/plane_probe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <map>
+
+#include "host/time/simulation.hpp"
+
+namespace riffle {
+namespace {
+
+// The scene at rest, whose velocities can be set.
+class Probe {
+ public:
+  Probe(const Case& scene, const Registry& registry) : scene_(scene), simulation_(scene, registry, one_thread()) {}
+
+  PlaneScales run() {
+    measure_water();
+    read_parameters();
+    measure_porosity();
+    const std::vector<double> at_rest = velocities();
+    if (simulation_.graph().field("drag_rate") >= 0) scales_.viscous_drag = mean_drag(1e-9 * wave_speed());
+    put(at_rest);
+    measure_driving();
+    find_speed();
+    measure_stress();
+    return scales_;
+  }
+
+ private:
+  static SimulationOptions one_thread() {
+    SimulationOptions options;
+    options.threads = 1;
+    return options;
+  }
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(simulation_.store().role_begin(1)); }
+  [[nodiscard]] int up() const { return scene_.dimension - 1; }
+  [[nodiscard]] double wave_speed() const { return std::sqrt(scene_.gravity * scales_.depth); }
+  [[nodiscard]] std::size_t column(std::size_t i) const {
+    return static_cast<std::size_t>((simulation_.store().data("position")[i] - scene_.lower[0]) /
+                                    (2 * scales_.spacing));
+  }
+
+  void measure_water() {
+    const ParticleStore& store = simulation_.store();
+    const double *x = store.data("position"), *z = store.data("position", up()), *cell = store.data("cell_measure");
+    scales_.particles = static_cast<std::int64_t>(count());
+    if (count() == 0) throw std::runtime_error("there is no water in the scene");
+    scales_.spacing = std::pow(cell[0], 1.0 / scene_.dimension);
+    std::map<std::size_t, std::pair<double, double>> ends;  // of each column
+    for (std::size_t i = 0; i < count(); ++i) {
+      auto& [low, high] = ends.try_emplace(column(i), z[i], z[i]).first->second;
+      low = std::min(low, z[i]);
+      high = std::max(high, z[i]);
+    }
+    double sum = 0, squares = 0;
+    for (const auto& [k, end] : ends) {
+      const double height = end.second - end.first + scales_.spacing;
+      sum += height;
+      squares += height * height;
+    }
+    const auto n = static_cast<double>(ends.size());
+    scales_.depth = sum / n;
+    scales_.unevenness = std::sqrt(std::max(0.0, squares / n - scales_.depth * scales_.depth)) / scales_.depth;
+    const auto [first, last] = std::minmax_element(x, x + count());
+    scales_.length = *last - *first + scales_.spacing;
+  }
+
+  void read_parameters() {
+    for (const PluginChoice& choice : scene_.plugins) {
+      for (const ParameterValue& value : choice.values) {
+        if (value.name == "sound_speed") scales_.sound_speed = value.number;
+        if (choice.kind == "drag" && value.name == "grain_diameter") scales_.grain = value.number;
+      }
+    }
+  }
+
+  void measure_porosity() {
+    if (simulation_.graph().field("porosity") < 0) return;
+    simulation_.refresh({"porosity"});
+    if (simulation_.store().find("porosity") == nullptr) return;
+    const double* porosity = simulation_.store().data("porosity");
+    for (std::size_t i = 0; i < count(); ++i)
+      scales_.smallest_porosity = std::min(scales_.smallest_porosity, porosity[i]);
+    scales_.porous = scales_.smallest_porosity < 1;
+  }
+
+  [[nodiscard]] std::vector<double> velocities() const {
+    const double* u = simulation_.store().data("velocity");
+    return {u, u + count()};
+  }
+  void put(const std::vector<double>& along_x) {
+    std::copy(along_x.begin(), along_x.end(), simulation_.store().data("velocity"));
+    simulation_.evaluator().changed(simulation_.graph().field("velocity"));
+  }
+
+  // Of the water on which it acts, when all water moves at this speed.
+  double mean_drag(double speed) {
+    put(std::vector<double>(count(), speed));
+    simulation_.refresh({"drag_rate"});
+    if (simulation_.store().find("drag_rate") == nullptr) return 0;
+    const double* rate = simulation_.store().data("drag_rate");
+    double sum = 0, acts = 0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      sum += rate[i];
+      acts += rate[i] > 0 ? 1 : 0;
+    }
+    scales_.drag_share = std::max(scales_.drag_share, acts / static_cast<double>(count()));
+    return acts > 0 ? sum / acts : 0;
+  }
+
+  // Columns as a whole, so that sound and settling between particles do not count; over a few steps.
+  void measure_driving() {
+    constexpr int steps = 20;
+    constexpr double longest = 2;  // s
+    const std::vector<double> before = velocities();
+    const std::clock_t start = std::clock();
+    for (int k = 0; k < steps && simulation_.time() < scene_.time.end; ++k) {
+      scales_.step = simulation_.step(scene_.time.end).dt;
+      if (static_cast<double>(std::clock() - start) > longest * CLOCKS_PER_SEC) break;
+    }
+    std::map<std::size_t, std::pair<double, double>> columns;
+    const std::vector<double> now = velocities();
+    const std::size_t n = std::min(before.size(), now.size());
+    double first = 0;
+    for (const double u : before) first += u / static_cast<double>(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      auto& [sum, number] = columns[column(i)];
+      sum += now[i] - first;
+      number += 1;
+    }
+    double total = 0;
+    for (const auto& [k, one] : columns) total += std::abs(one.first);
+    scales_.driving = total / static_cast<double>(n) / simulation_.time();
+  }
+
+  // What is driven moves at the speed of its waves at most, at ten shear velocities where it is long, and where a drag acts
+  // on all of it, as fast as that lets it.
+  void find_speed() {
+    const double driven = scales_.driving * scene_.time.end;
+    const double bound = std::min(2 * wave_speed(), std::max(10 * std::sqrt(scales_.driving * scales_.depth),
+                                                             std::sqrt(2 * scales_.driving * scales_.length)));
+    scales_.speed = std::min(driven, bound);
+    if (!scales_.has_drag() || !(scales_.speed > 0)) return;
+    double low = 0, high = scales_.speed;
+    if (scales_.drag_share > 0.5) {
+      for (int k = 0; k < 30; ++k) {
+        const double middle = 0.5 * (low + high);
+        (mean_drag(middle) * middle > scales_.driving ? high : low) = middle;
+      }
+      scales_.speed = 0.5 * (low + high);
+    }
+    scales_.whole_drag = mean_drag(scales_.speed);
+  }
+
+  // Of u = speed * 3/2 (1 - (1 - s)^2) over the depth: its mean is the speed, its slope 3 speed / depth (1 - s).
+  void measure_stress() {
+    const double force = scales_.driving * scales_.depth;
+    if (!(force > 0)) return;
+    scales_.laminar_stress = scene_.viscosity * 1.5 * scales_.speed / scales_.depth / force;
+    if (simulation_.graph().field("eddy_viscosity") < 0) return;
+    const double* z = simulation_.store().data("position", up());
+    const double bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
+    std::vector<double> profile(count()), slope(count());
+    for (std::size_t i = 0; i < count(); ++i) {
+      const double rest = std::clamp(1 - (z[i] - bottom) / scales_.depth, 0.0, 1.0);
+      profile[i] = 1.5 * scales_.speed * (1 - rest * rest);
+      slope[i] = 3 * scales_.speed / scales_.depth * rest;
+    }
+    put(profile);
+    simulation_.refresh({"eddy_viscosity"});
+    if (simulation_.store().find("eddy_viscosity") == nullptr) return;
+    const double* eddies = simulation_.store().data("eddy_viscosity");
+    double sum = 0;
+    for (std::size_t i = 0; i < count(); ++i) sum += eddies[i] * slope[i];
+    scales_.eddy_stress = sum / static_cast<double>(count()) / force;
+  }
+
+  const Case& scene_;
+  Simulation simulation_;
+  PlaneScales scales_;
+};
+
+}  // namespace
+
+PlaneScales probe_plane(const Case& scene, const Registry& registry) {
+  return Probe(scene, registry).run();
+}
+
+}  // namespace riffle
