@@ -2,9 +2,9 @@
 //
 //   h_t + (h u)_x = 0,   G_t + (G u + g h^2/2 - 2/3 h^3 u_x^2)_x = 0,   G = h u - (h^3 u_x / 3)_x
 //
-// Le Metayer, Gavrilyuk & Hank (2010); Zoppou, Roberts & Pitt (2017). Velocities come from G by a tridiagonal solve, h
-// and G at faces by Koren's third-order limiter (1993), fluxes after Kurganov, Noelle & Petrova (2001), time by SSP-RK3. It
-// shares no line and no formula with the equation set `serre`: no particles, no kernel, no Lagrangian.
+// Le Metayer, Gavrilyuk & Hank (2010); Zoppou, Roberts & Pitt (2017). Velocities come from G by a tridiagonal solve,
+// h and G at faces by Koren's third-order limiter (1993), fluxes after Kurganov, Noelle & Petrova (2001), time by
+// SSP-RK3. It shares no line and no formula with the equation set `serre`: no particles, no kernel, no Lagrangian.
 //
 //   finite_volume_serre LEFT RIGHT WIDTH CELLS TIME
 //

@@ -124,7 +124,12 @@ class Serre(Channel):
                                   capture_output=True, text=True, check=True, timeout=60).stdout
             cells = list(csv.DictReader(said.splitlines()))
             volumes = at(places, *([float(cell[k]) for cell in cells] for k in ("x", "depth")))
-            _, rows = self.scene(f"boussinesq/r{r}.toml")
+            record, rows = self.scene(f"boussinesq/r{r}.toml")
+            fronts, half = record["fronts"], (r + record["plateau"]) / 2
+            self.assertEqual(fronts["dam"], 100)
+            self.assertAlmostEqual(fronts["mid"], max(x for x, h in zip(places, volumes) if h > half), delta=0.1)
+            self.assertAlmostEqual(fronts["toe"], max(x for x, h in zip(places, volumes) if h > r + 0.01 * (1 - r)), delta=0.1)
+            self.assertLess(fronts["crest"], fronts["mid"])
             particles = at(places, [x - 100 for x in rows["x"]], rows["depth"])
             self.assertLess(sum(abs(a - b) for a, b in zip(volumes, particles)) / len(places), 8e-3, r)
 
