@@ -8,8 +8,11 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "host/output/fronts.hpp"
 #include "host/output/picture.hpp"
 #include "host/output/profiles.hpp"
+#include "host/particles/placement.hpp"
+#include "host/particles/water.hpp"
 
 namespace riffle {
 
@@ -74,6 +77,19 @@ NeighbourStatistics neighbour_statistics(const Simulation& simulation) {
     break;
   }
   return statistics;
+}
+
+// Of a dam break along a channel: where the water is deeper on one side at t = 0.
+void add_fronts(const Simulation& simulation, RunRecord& record) {
+  const Case& scene = simulation.scene();
+  if (scene.dimension != 1 || scene.initial.count("depth") == 0 || simulation.store().find("depth") == nullptr) return;
+  const Water initial(scene);
+  try {
+    record.dam = depth_step([&](double x) { return initial.depth(x); }, scene.lower[0], scene.upper[0]);
+  } catch (const PlacementError&) {  // no number at a place where no particle is
+  }
+  if (!record.dam) return;
+  record.fronts = fronts(*record.dam, values_of(simulation, "position", 0), values_of(simulation, "depth", 0));
 }
 
 }  // namespace
@@ -234,6 +250,7 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
     record.active_fraction =
         std::accumulate(active, active + water(simulation), 0.0) / static_cast<double>(water(simulation));
   }
+  if (report.failure.empty()) add_fronts(simulation, record);
   record.bytes_per_particle =
       static_cast<double>(simulation.bytes()) / std::max<double>(1, static_cast<double>(record.particles));
   record.seconds.list = simulation.evaluator().list_seconds();

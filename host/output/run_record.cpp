@@ -14,6 +14,10 @@ Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json optional(const std::optional<double>& value) {
+  return value ? number(*value) : Json(nullptr);
+}
+
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(number(value));
@@ -98,7 +102,6 @@ Json plugins_of(const RunRecord& record) {
 Json verdicts_of(const RunRecord& record) {
   Json all = Json::array();
   for (const Verdict& v : record.verdicts) {
-    const auto optional = [](const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); };
     all.push_back({{"name", v.name},
                    {"severity", name_of(v.severity)},
                    {"text", v.text},
@@ -107,6 +110,16 @@ Json verdicts_of(const RunRecord& record) {
                    {"first_seen", optional(v.first_seen)}});
   }
   return all;
+}
+
+Json fronts_of(const RunRecord& record) {
+  if (!record.dam) return nullptr;
+  const Fronts& f = record.fronts;
+  return {{"dam", number(record.dam->place)},
+          {"toe", optional(f.toe)},
+          {"mid", optional(f.mid)},
+          {"crest", optional(f.crest)},
+          {"crest_depth", optional(f.crest_depth)}};
 }
 
 }  // namespace
@@ -168,7 +181,9 @@ Json to_json(const RunRecord& record) {
                           {"smallest", record.neighbours->smallest},
                           {"largest", record.neighbours->largest}};
   }
-  json["active_fraction"] = record.active_fraction ? number(*record.active_fraction) : Json(nullptr);
+  json["active_fraction"] = optional(record.active_fraction);
+  json["fronts"] = fronts_of(record);
+  json["plateau"] = optional(record.fronts.plateau);
   json["bytes_per_particle"] = number(record.bytes_per_particle);
   json["seconds"] = {{"sort", number(record.seconds.sort)},     {"list", number(record.seconds.list)},
                      {"sweeps", number(record.seconds.sweeps)}, {"integrate", number(record.seconds.integrate)},

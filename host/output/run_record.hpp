@@ -12,6 +12,7 @@
 
 #include "host/output/build_info.hpp"
 #include "host/output/errors.hpp"
+#include "host/output/fronts.hpp"
 
 namespace riffle {
 
@@ -79,6 +80,8 @@ struct RunRecord {
   Machine machine = this_machine();
   std::optional<NeighbourStatistics> neighbours;
   std::optional<double> active_fraction;  // of the water, where the equations have terms that act in places only
+  std::optional<DepthStep> dam;           // where the initial state is a step
+  Fronts fronts;
   double bytes_per_particle = 0;
   PhaseSeconds seconds;
 };

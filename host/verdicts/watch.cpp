@@ -135,8 +135,8 @@ void Watch::look_along_line(const Simulation& simulation) {
   order_ = std::move(ids);
 }
 
-// Kinetic energy and that of the water column, sum V (u^2 / 2 + g h / 2 + g b): no wave, shock, friction or wall makes
-// more of it. Compared with its smallest value so far, in units of the largest kinetic energy so far.
+// Kinetic energy and that of the water column, sum V (u^2 / 2 + g h / 2 + g b), and of vertical motion, (dh/dt)^2 / 6, where
+// the equations have it: no wave, shock, friction or wall makes more of it. Compared with its smallest value so far, in units of the largest kinetic energy so far.
 void Watch::look_at_energy(Simulation& simulation) {
   const ParticleStore& store = simulation.store();
   for (const int role : {2, 3, 4}) closed_ = closed_ && store.role_begin(role) == store.role_begin(role + 1);
@@ -155,11 +155,13 @@ void Watch::look_at_energy(Simulation& simulation) {
     services.bed(services.context, n, store.data("position"), store.dim() > 1 ? store.data("position", 1) : nullptr,
                  bed.data(), nullptr, nullptr);
   }
+  const Field* rising = store.find("depth_rate");
   const double g = simulation.scene().gravity;
   double kinetic = 0, potential = 0, column = 0;
   for (std::int64_t i = 0; i < n; ++i) {
     double u2 = 0;
     for (const auto& component : velocity->component) u2 += component.data()[i] * component.data()[i];
+    if (rising != nullptr) u2 += std::pow(rising->component[0].data()[i], 2) / 3;
     kinetic += 0.5 * v[i] * u2;
     column += 0.5 * g * v[i] * h[i];
     potential += g * v[i] * bed[static_cast<std::size_t>(i)];

@@ -30,6 +30,9 @@ class Record(Scene):
         self.assertEqual(alpha, 1.5)
         for plugin in record["plugins"]:
             self.assertEqual(len(plugin["hash"]), 64)
+        self.assertEqual(record["fronts"]["dam"], 100)  # of Stoker's solution with 10 m and 5 m of water; 0.5 m apart
+        self.assertAlmostEqual(record["plateau"], 7.2692, delta=0.1)
+        self.assertAlmostEqual(record["fronts"]["mid"], 9.354 * record["time"], delta=1)
         self.assertAlmostEqual(sum(limit["share"] for limit in record["dt_limiters"].values()), 1)
 
     def test_a_run_that_is_finite_and_wrong_is_suspect_and_strict_says_so_in_its_exit_code(self):

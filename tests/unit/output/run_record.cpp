@@ -32,6 +32,8 @@ RunRecord sample() {
   r.verdicts.push_back({"mass", "mass is conserved to 1e-16", Severity::note});
   r.overrides = {"time.end=6"};
   r.manifest = R"({"time": {"end": 6.0}})";
+  r.dam = DepthStep{100, 10, 5};
+  r.fronts = {44, 43, 42, 8, 7};
   r.neighbours = NeighbourStatistics{7.9, 4, 8};
   return r;
 }
@@ -60,6 +62,11 @@ TEST(RunRecord, HasTheKeysThatScriptsRelyOn) {
                           "/ledger/mass/imbalance",
                           "/ledger/momentum",
                           "/dt_limiters",
+                          "/fronts/toe",
+                          "/fronts/mid",
+                          "/fronts/crest",
+                          "/plateau",
+                          "/active_fraction",
                           "/plugins/0/id",
                           "/verdicts/0/name"}) {
     EXPECT_TRUE(json.contains(Json::json_pointer(key))) << key;
