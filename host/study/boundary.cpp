@@ -42,6 +42,10 @@ class Tracer {
   }
 
   TracedMap trace() {
+    if (search_ >= std::max(map_.nx, map_.ny)) {
+      attempt_all();
+      return std::move(map_);
+    }
     look_around();
     follow();
     narrow();
@@ -65,6 +69,14 @@ class Tracer {
     if (fresh.empty()) return;
     const std::vector<int> classes = classify_(fresh);
     for (std::size_t k = 0; k < fresh.size(); ++k) map_.of[map_.index(fresh[k].x, fresh[k].y)] = classes[k];
+  }
+
+  void attempt_all() {
+    std::vector<GridPoint> points;
+    for (int y = 0; y < map_.ny; ++y) {
+      for (int x = 0; x < map_.nx; ++x) points.push_back({x, y});
+    }
+    attempt(points);
   }
 
   // The coarse grid, and bisection along its lines down to neighbours on the tracks, whose cells are the first to follow.

@@ -25,7 +25,7 @@ struct TracedMap {
   [[nodiscard]] int runs() const;
 };
 
-// `search`: points along each axis that are tried at first. A region that holds none of them, and to which no boundary
+// `search`: points along each axis that are tried at first; as many as the longer axis has: all. A region that holds none of them, and to which no boundary
 // from elsewhere leads, is not found.
 TracedMap trace_map(int nx, int ny, int search, const Classify& classify);
 

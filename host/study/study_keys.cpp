@@ -80,7 +80,8 @@ std::vector<StudyKey> make_keys() {
       {"study", integer("runs_at_most", 1, 1e6, 500, "more runs than this need --yes")},
       {"study", boolean("pictures", true, "whether each run draws its picture")},
       {"map", required(positive("error_bound", "1", "runs with a larger error than this are inaccurate"))},
-      {"map", integer("search", 2, 1000, 4, "points along each axis of the grid that is looked at first")},
+      {"map", integer("search", 2, 1000, 4,
+                      "points along each axis of the grid that is looked at first; all where there are no more")},
   };
   for (const char* axis : {"map.x", "map.y"}) {
     keys.push_back({axis, required(text("key", "the key of the manifest that runs along this axis"))});

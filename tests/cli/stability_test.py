@@ -1,6 +1,7 @@
 """Maps of stability: classes, pictures, resumption, mistakes."""
 import csv
 import re
+import sys
 
 from scene import SOURCE, Scene, main
 
@@ -51,6 +52,27 @@ class Stability(Scene):
         before = {path: path.stat().st_mtime_ns for path in self.home.glob("studies/map/runs/*/run.json")}
         self.assertEqual(self.riffle("stability", self.study()).stderr, "")
         self.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)
+
+    # On 12 x 12 points, for 400 runs would take 20 s; on 20 x 20 points it is 69 runs (docs/comparing.md). The boundary may be
+    # off by one cell.
+    def test_the_boundary_of_a_full_grid_is_found_with_fewer_runs(self):
+        n = 12
+        text = STUDY.replace("points = 6", f"points = {n}").replace("count = 50", "count = 30")
+        maps = []
+        for search in (n, 4):  # as many points as the grid has: all of them. The second map finds its runs done
+            name = self.study(text=text.replace("[map]", f"[map]\nsearch = {search}"))
+            said = self.riffle("stability", name, "--quiet").stdout
+            runs = int(re.search(r"(\d+) of 144 points run", said)[1])
+            maps.append((runs, [r["class"] for r in self.rows()]))
+        (all_runs, full), (runs, found) = maps
+        self.assertEqual(all_runs, n * n)
+        self.assertLessEqual(runs, n * n / 2)
+        self.assertGreater(len(set(full)), 2)
+        near = lambda k: {full[n * y + x] for y in range(max(k // n - 1, 0), min(k // n + 2, n))
+                          for x in range(max(k % n - 1, 0), min(k % n + 2, n))}
+        far = [k for k in range(n * n) if found[k] not in near(k)]
+        print(f"{runs} runs instead of {n * n}, {len(far)} points off by more than a cell", file=sys.stderr)
+        self.assertEqual(far, [])
 
     def test_a_bound_on_the_error_decides_what_is_inaccurate(self):
         self.riffle("stability", self.study(bound=1e-9), "--quiet")

@@ -195,20 +195,28 @@ class Compare(Scene):
         self.assertLess(own, 0.05 * (whole - own), f"{own:.2f} s beside {whole - own:.2f} s of runs")
         print(f"{own:.2f} s beside {whole - own:.2f} s of runs", file=sys.stderr)
 
-    def test_shipped_studies_run_at_their_two_coarsest_resolutions(self):
+    def test_shipped_studies_run_for_a_moment_at_their_coarsest_resolution(self):
         for source in sorted((SOURCE / "cases").glob("*/*.study.toml")):
             text = source.read_text()
             if "[resolution]" not in text:
                 continue
-            with self.subTest(study=source.name):
-                head, tail = text.split("[resolution]", 1)
-                tail = re.sub(r"\[([^,\]]+,[^,\]]+),[^\]]*\]", r"[\1]", tail, count=1)
-                head = re.sub(r'"([^"]+\.toml)"', lambda m: f'"{source.parent / m[1]}"', head)
-                (self.home / source.name).write_text(head + "pictures = false\n[resolution]" + tail)
-                self.riffle("compare", source.name, "--out", source.stem, "--quiet")
-                rows = self.rows(source.stem)
-                self.assertLessEqual({r["state"] for r in rows}, {"finished", "suspect"})  # without viscosity: suspect
-                self.assertTrue(all(float(r["cpu_seconds"]) > 0 for r in rows))
+            with self.subTest(study=f"{source.parent.name}/{source.name}"):
+                closures = len(re.findall(r"^\[closures", text, re.M))
+                text = re.sub(r'"([^"]+\.(?:toml|csv))"', lambda m: f'"{source.parent / m[1]}"', text)
+                text = re.sub(r"(initial.particles.count = )\[([^,\]]+),[^\]]*\]", r"\1[\2]", text)
+                text = text.replace("[study]", "[study]\npictures = false", 1)
+                text = text.replace("[set]", "[set]\ntime.end = 0.1", 1) if "[set]" in text else text + "\n[set]\ntime.end = 0.1\n"
+                name = f"{source.parent.name}-{source.name}"
+                (self.home / name).write_text(text)
+                self.riffle("compare", name, "--out", name + ".out", "--quiet")
+                rows = self.rows(name + ".out")
+                self.assertGreaterEqual(len(rows), closures)
+                self.assertEqual(len({r["closure"] for r in rows}), closures, "a closure is skipped in every case")
+                # without viscosity, or on so few particles: suspect; where it is ill-posed: blown up
+                self.assertLessEqual({r["state"] for r in rows if "ill-posed" not in r["closure"]}, {"finished", "suspect", "blew up"})
+                good = [r for r in rows if r["state"] in ("finished", "suspect")]
+                self.assertGreaterEqual(len(good), 0.8 * len(rows))
+                self.assertTrue(all(float(r["cpu_seconds"]) > 0 for r in good))
 
 
 if __name__ == "__main__":

@@ -28,16 +28,17 @@ struct TermTrial {
   double difference = 0, cpu_without = 0, cpu_with = 0;
   std::string problem;  // why there is no difference
   bool done = false;
+  bool against_reference = false;  // `with` alone is run, and its velocity compared with the reference that it names
 };
 
 // Something that a model may leave out.
 struct Term {
-  std::string name;                       // "vertical acceleration"
-  double contributes = 0;                 // estimate; NaN: nothing here tells
-  std::string how;                        // where the estimate is from, one clause
-  std::string obstacle;                   // why it cannot be kept although it matters, or ""
-  bool kept = false;                      // by the proposal
-  std::optional<TermTrial> trial;         // nothing when there is nothing to run
+  std::string name;                // "vertical acceleration"
+  double contributes = 0;          // estimate; NaN: nothing here tells. Where the depth is resolved: of the forces
+  std::string how;                 // where the estimate is from, one clause
+  std::string obstacle;            // why it cannot be kept although it matters, or ""
+  bool kept = false;               // by the proposal
+  std::optional<TermTrial> trial;  // nothing when there is nothing to run
   [[nodiscard]] double measured() const;  // NaN unless a trial has told
   [[nodiscard]] double best() const;      // measured, else the estimate
   [[nodiscard]] bool matters(double tolerance) const { return best() > tolerance; }

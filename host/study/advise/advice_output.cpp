@@ -36,7 +36,7 @@ std::string advice_in_words(const Advice& advice, const std::string& manifest) {
   for (const SceneFigure& figure : advice.figures) {
     text += fmt::format("  {:>10.3g} {:<3} {}\n", figure.value, figure.unit == "1" ? "" : figure.unit, figure.name);
   }
-  text += fmt::format("\nwhat would change the depth by how much (tolerance {})\n  {:<26}{:>10}{:>10}  \n",
+  text += fmt::format("\nwhat each term contributes (tolerance {})\n  {:<26}{:>10}{:>10}  \n",
                       percent(advice.tolerance), "", "estimate", "measured");
   for (const Term& term : advice.terms) {
     text += fmt::format("  {:<26}{:>10}{:>10}  {}\n", term.name, percent(term.contributes),

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "host/study/advise/plane_probe.hpp"
 #include "host/study/advise/scout.hpp"
+#include "host/study/advise/verify.hpp"
 #include "host/study/attempt.hpp"
 
 namespace riffle {
@@ -89,17 +91,15 @@ class PlaneAdviser {
       return;
     }
     const bool uniform = uniform_along_x(scene_);
-    add("change along the flow", uniform ? 0 : std::numeric_limits<double>::quiet_NaN(),
+    add("change along the flow", uniform ? 0 : 1,
         uniform ? "nothing in the scene knows where along x it is" : "the scene is not the same everywhere along x",
         "");
-    advice_.terms.back().kept = !uniform;
     add_drag();
     add_eddies();
     add("viscosity of the water", scales_.laminar_stress,
-        "its stress over the force that drives the water, at the speed above", "");
-    if (scales_.sound_speed > 0)
-      add("compressibility", std::pow(scales_.speed / scales_.sound_speed, 2), "the square of the Mach number", "");
-    if (uniform && propose_column()) return;
+        "its stress over the force that drives the water, at the speed above", switch_off("laminar"));
+    add_sound();
+    if (uniform && is_developed() && propose_column()) return;
     propose_parts();
   }
 
@@ -114,7 +114,9 @@ class PlaneAdviser {
     term.how = how;
     term.kept = !(contributes <= request_.tolerance);
     advice_.terms.push_back(term);
-    if (!term.kept && !change.empty()) parts_.push_back(change);
+    if (change.empty()) return;
+    part_of_[name] = change;
+    if (!term.kept) parts_.push_back(change);
   }
 
   void add_figures() {
@@ -175,6 +177,39 @@ class PlaneAdviser {
         in_slots("plugins.turbulence.id=none", scene_));
   }
 
+  // A switch of the equation set that is on: what turns it off.
+  [[nodiscard]] std::string switch_off(const std::string& name) const {
+    for (const ParameterValue& value : chosen(scene_, "equations")->values) {
+      if (value.name == name && value.number != 0) return in_slots("plugins.equations." + name + "=false", scene_);
+    }
+    return "";
+  }
+
+  // Ten times the fastest water and the fastest wave keeps the density within a hundredth (Monaghan 1994).
+  void add_sound() {
+    if (!(scales_.sound_speed > 0)) return;
+    add("compressibility", std::pow(scales_.speed / scales_.sound_speed, 2), "the square of the Mach number", "");
+    const double needed = 10 * std::max(scales_.speed, std::sqrt(scene_.gravity * scales_.depth));
+    if (scales_.sound_speed > 1.2 * needed) {
+      parts_.push_back(in_slots(fmt::format("plugins.equations.sound_speed={:.2g}", needed), scene_));
+      advice_.notes.push_back(
+          fmt::format("a speed of sound of {:.2g} m/s is ten times the fastest wave; {:.3g} m/s takes "
+                      "{:.2g} times as many steps",
+                      needed, scales_.sound_speed, scales_.sound_speed / needed));
+    }
+  }
+
+  // Whether the water has the time to come to a steady profile, or begins with one.
+  bool is_developed() {
+    constexpr double several = 3;
+    const double time = several * scales_.speed / scales_.driving;
+    if (scene_.time.end >= time || scales_.initial_speed > 0.3 * scales_.speed) return true;
+    advice_.notes.push_back(
+        "the flow is the same everywhere along x but still speeds up at the end: a column of steady flow "
+        "is what it would come to");
+    return false;
+  }
+
   [[nodiscard]] double estimated_cost_of_one_step() const {
     AdviceRequest one = request_;
     one.overrides.insert(one.overrides.end(), advice_.proposal.begin(), advice_.proposal.end());
@@ -186,6 +221,10 @@ class PlaneAdviser {
   [[nodiscard]] bool contains_closures(const ModelNotes& model) const {
     for (const char* kind : {"drag", "turbulence"}) {
       const PluginChoice* const choice = chosen(scene_, kind);
+      const auto of_kind = [&](const std::string& name) { return name.rfind(kind, 0) == 0; };
+      if (choice == nullptr && std::string(kind) == "turbulence" &&
+          std::any_of(model.contains.begin(), model.contains.end(), of_kind))
+        return false;  // a column with eddies is no model of water without
       if (choice == nullptr) continue;
       const std::string name = std::string(kind) + ' ' + choice->id;
       if (std::find(model.contains.begin(), model.contains.end(), name) == model.contains.end()) return false;
@@ -245,6 +284,7 @@ class PlaneAdviser {
         if (term.name == "compressibility") term.kept = false;
       }
       advice_.cpu_proposed = estimated_cost_of_one_step();
+      if (request_.verify) verify_column();
       return true;
     }
     advice_.notes.push_back("a column of water would tell all, and no installed one has these closures" +
@@ -252,10 +292,50 @@ class PlaneAdviser {
     return false;
   }
 
+  void verify() {
+    const double cost = advice_.cpu_given;
+    verify_terms(request_,
+                 {scene_.lower[0],
+                  scene_.upper[0],
+                  {scene_.lower[0], scene_.upper[0]},
+                  scales_.spacing,
+                  scene_.time.end,
+                  [cost](const Overrides&) { return cost; }},
+                 advice_);
+  }
+
+  void verify_column() {
+    Term& along = advice_.terms.front();
+    TermTrial trial;
+    trial.against_reference = true;
+    trial.without = trial.with = advice_.proposal;
+    trial.with.erase(std::find(trial.with.begin(), trial.with.end(), "time.max_steps=1"));
+    along.trial = trial;
+    along.how += "; measured: the velocity of the particles at the end against the column's";
+    verify();
+  }
+
+  // What may be left out by its estimate is left out in a run, and what the surface says decides.
+  void verify_parts() {
+    for (Term& term : advice_.terms) {
+      const auto found = part_of_.find(term.name);
+      if (found != part_of_.end()) term.trial = TermTrial{{found->second}, {}, 0, 0, 0, "", false, false};
+    }
+    verify();
+    for (Term& term : advice_.terms) {
+      if (!term.trial || !term.trial->done) continue;
+      term.kept = term.matters(request_.tolerance);
+      const std::string& change = part_of_[term.name];
+      parts_.erase(std::remove(parts_.begin(), parts_.end(), change), parts_.end());
+      if (!term.kept) parts_.push_back(change);
+    }
+  }
+
   void propose_parts() {
+    if (request_.verify) verify_parts();
     advice_.proposal = parts_;
     advice_.model =
-        chosen(scene_, "equations")->id + (parts_.empty() ? " as it is: every part of it that can be left out matters"
+        chosen(scene_, "equations")->id + (parts_.empty() ? " as it is: nothing that it has can be left out"
                                                           : " without what changes less than the tolerance");
     advice_.cpu_proposed = parts_.empty() ? advice_.cpu_given : estimated_cost(request_, with_quiet(parts_), registry_);
   }
@@ -271,6 +351,7 @@ class PlaneAdviser {
   Advice& advice_;
   PlaneScales scales_;
   Overrides parts_;
+  std::map<std::string, std::string> part_of_;  // of terms that can be left out: by what
 };
 
 }  // namespace

@@ -111,29 +111,35 @@ class Probe {
     return acts > 0 ? sum / acts : 0;
   }
 
-  // Columns as a whole, so that sound and settling between particles do not count; over a few steps.
+  // Columns as a whole, so that sound and settling between particles do not count, and by how much they gain in the second
+  // half of the steps: what settles does not go on.
   void measure_driving() {
-    constexpr int steps = 20;
-    constexpr double longest = 2;  // s
+    constexpr int half = 60;
+    constexpr double longest = 1;  // s
     const std::vector<double> before = velocities();
-    const std::clock_t start = std::clock();
-    for (int k = 0; k < steps && simulation_.time() < scene_.time.end; ++k) {
-      scales_.step = simulation_.step(scene_.time.end).dt;
-      if (static_cast<double>(std::clock() - start) > longest * CLOCKS_PER_SEC) break;
-    }
-    std::map<std::size_t, std::pair<double, double>> columns;
+    for (const double u : before) scales_.initial_speed += std::abs(u) / static_cast<double>(count());
+    const auto go_on = [&] {
+      const std::clock_t start = std::clock();
+      for (int k = 0; k < half && simulation_.time() < scene_.time.end; ++k) {
+        scales_.step = simulation_.step(scene_.time.end).dt;
+        if (static_cast<double>(std::clock() - start) > longest * CLOCKS_PER_SEC) break;
+      }
+      return simulation_.time();
+    };
+    const double first_time = go_on(), first = gained(before), second_time = go_on(), second = gained(before);
+    scales_.driving = second_time > first_time ? std::max(0.0, (second - first) / (second_time - first_time)) : 0;
+  }
+
+  [[nodiscard]] double gained(const std::vector<double>& before) const {
     const std::vector<double> now = velocities();
     const std::size_t n = std::min(before.size(), now.size());
-    double first = 0;
-    for (const double u : before) first += u / static_cast<double>(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      auto& [sum, number] = columns[column(i)];
-      sum += now[i] - first;
-      number += 1;
-    }
+    std::map<std::size_t, double> columns;
+    double was = 0;
+    for (std::size_t i = 0; i < n; ++i) was += before[i] / static_cast<double>(n);
+    for (std::size_t i = 0; i < n; ++i) columns[column(i)] += now[i] - was;
     double total = 0;
-    for (const auto& [k, one] : columns) total += std::abs(one.first);
-    scales_.driving = total / static_cast<double>(n) / simulation_.time();
+    for (const auto& [k, sum] : columns) total += std::abs(sum);
+    return total / static_cast<double>(n);
   }
 
   // What is driven moves at the speed of its waves at most, at ten shear velocities where it is long, and where a drag acts

@@ -13,6 +13,7 @@ struct PlaneScales {
   double spacing = 0, depth = 0, length = 0;  // m: between particles, mean of columns, extent of the water along x
   double unevenness = 0;                      // deviation of the columns' heights over their mean
   double driving = 0;                         // m/s2: mean of the magnitude of what accelerates columns along x
+  double initial_speed = 0;                   // m/s: mean over the water
   double speed = 0;                           // m/s: that this drives the water to
   double step = 0;                            // s: of time
   double sound_speed = 0;                     // m/s; 0: none

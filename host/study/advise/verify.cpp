@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "host/study/advise/flow.hpp"
 #include "host/study/advise/profile_file.hpp"
 #include "host/study/pool.hpp"
 
@@ -37,55 +39,74 @@ class TemporaryFolder {
 };
 
 struct MeasuredRun {
-  FlowState state;
+  std::vector<double> depth;  // or height of the surface, along the line
+  double from_reference = 0;  // relative L1 difference of velocity_x from the exact one
   double cpu_seconds = 0;
   std::string problem;
 };
 
-double number_in(const Overrides& changes, const std::string& key, double otherwise) {
-  for (const std::string& change : changes) {
-    if (change.rfind(key + '=', 0) == 0) otherwise = std::atof(change.c_str() + key.size() + 1);
+// The highest water in each cell of the line.
+std::vector<double> surface_along(const FlowLine& line, const std::vector<double>& x, const std::vector<double>& z,
+                                  double spacing) {
+  std::vector<double> height(line.x.size(), 0);
+  if (x.empty()) return height;
+  const double bottom = *std::min_element(z.begin(), z.end()) - 0.5 * spacing;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double cell = (x[i] - line.low) / line.step();
+    if (cell < 0 || cell >= static_cast<double>(height.size())) continue;
+    double& highest = height[static_cast<std::size_t>(cell)];
+    highest = std::max(highest, z[i] + 0.5 * spacing - bottom);
   }
-  return otherwise;
+  return height;
+}
+
+double share_apart(const std::vector<double>& computed, const std::vector<double>& exact) {
+  double apart = 0, sum = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    if (!std::isfinite(exact[i])) continue;
+    apart += std::abs(computed[i] - exact[i]);
+    sum += std::abs(exact[i]);
+  }
+  return apart / sum;
 }
 
 class Verifier {
  public:
-  Verifier(const AdviceRequest& request, const Scout& scout, Advice& advice)
-      : request_(request),
-        scout_(scout),
-        advice_(advice),
-        line_(flow_line(scout.line.low, scout.line.high, compared_points)) {}
+  Verifier(const AdviceRequest& request, const VerifiedScene& scene, Advice& advice)
+      : request_(request), scene_(scene), advice_(advice), line_(flow_line(scene.low, scene.high, points(scene))) {}
 
-  void run(const std::array<double, 2>& region) {
+  void run() {
     for (Term& term : advice_.terms) {
       if (term.trial) shorten(term);
     }
     std::vector<Overrides> wanted;
     for (const Term& term : advice_.terms) {
       if (!term.trial) continue;
-      for (const Overrides* changes : {&term.trial->without, &term.trial->with}) {
-        if (runs_.emplace(*changes, MeasuredRun{}).second) wanted.push_back(*changes);
-      }
+      if (!term.trial->against_reference) want(term.trial->without, wanted);
+      want(term.trial->with, wanted);
     }
     do_runs(wanted);
     for (Term& term : advice_.terms) {
-      if (term.trial) judge(*term.trial, region);
+      if (term.trial) judge(*term.trial);
     }
   }
 
  private:
-  // By the scout's cost, which grows with the square of the number of particles.
+  static int points(const VerifiedScene& scene) {
+    if (scene.spacing == 0) return compared_points;
+    return std::max(4, static_cast<int>((scene.high - scene.low) / (4 * scene.spacing)));
+  }
+
+  void want(const Overrides& changes, std::vector<Overrides>& wanted) {
+    if (runs_.emplace(changes, MeasuredRun{}).second) wanted.push_back(changes);
+  }
+
   void shorten(Term& term) {
     TermTrial& trial = *term.trial;
-    double longest = 0;
-    for (const Overrides* changes : {&trial.without, &trial.with}) {
-      const double ratio = number_in(*changes, "initial.particles.count", scout_.particles) / scout_.particles;
-      longest = std::max(longest, scout_.cpu_seconds * ratio * ratio);
-    }
-    constexpr double dearer = 3;  // than the scout's model
-    if (dearer * longest <= request_.budget) return;
-    const double end = scout_.last().time * request_.budget / (dearer * longest);
+    const double without = trial.against_reference ? 0 : scene_.cost(trial.without), with = scene_.cost(trial.with);
+    const double longest = std::max(std::isfinite(without) ? without : 0, std::isfinite(with) ? with : 0);
+    if (longest <= request_.budget) return;
+    const double end = scene_.end * request_.budget / longest;
     for (Overrides* changes : {&trial.without, &trial.with}) changes->push_back(fmt::format("time.end={:.3g}", end));
     advice_.notes.push_back(fmt::format("{}: measured up to t = {:.3g} s only", term.name, end));
   }
@@ -120,28 +141,45 @@ class Verifier {
         const nlohmann::json json = nlohmann::json::parse(record);
         if (json.at("status") == "failed") throw std::runtime_error(json.value("message", "it failed"));
         run.cpu_seconds = json.at("cpu_seconds").get<double>();
-        const auto columns = profile_columns(out(k) / "profile.csv", {"x", "depth"});
-        run.state = {json.at("time").get<double>(), along_line(line_, columns[0], columns[1]), {}};
+        read_profile(out(k) / "profile.csv", run, wanted[k]);
       } catch (const std::exception& error) {
         run.problem = error.what();
       }
     });
   }
 
-  void judge(TermTrial& trial, const std::array<double, 2>& region) {
-    const MeasuredRun &without = runs_[trial.without], &with = runs_[trial.with];
+  void read_profile(const std::filesystem::path& file, MeasuredRun& run, const Overrides& changes) const {
+    if (scene_.spacing == 0) {
+      const auto columns = profile_columns(file, {"x", "depth"});
+      run.depth = along_line(line_, columns[0], columns[1]);
+      return;
+    }
+    const auto columns = profile_columns(file, {"x", "z"});
+    run.depth = surface_along(line_, columns[0], columns[1], scene_.spacing);
+    for (const Term& term : advice_.terms) {
+      if (!term.trial || !term.trial->against_reference || term.trial->with != changes) continue;
+      const auto speeds = profile_columns(file, {"velocity_x", "velocity_x_exact"});
+      run.from_reference = share_apart(speeds[0], speeds[1]);
+    }
+  }
+
+  void judge(TermTrial& trial) {
+    const MeasuredRun& with = runs_[trial.with];
+    const MeasuredRun& without = trial.against_reference ? with : runs_[trial.without];
     trial.problem = !without.problem.empty() ? "without it: " + without.problem
                     : !with.problem.empty()  ? "with it: " + with.problem
                                              : "";
-    trial.cpu_without = without.cpu_seconds;
+    trial.cpu_without = trial.against_reference ? 0 : without.cpu_seconds;
     trial.cpu_with = with.cpu_seconds;
     if (!trial.problem.empty()) return;
-    trial.difference = relative_difference(line_, without.state.depth, with.state.depth, region[0], region[1]);
+    trial.difference = trial.against_reference
+                           ? with.from_reference
+                           : relative_difference(line_, without.depth, with.depth, scene_.region[0], scene_.region[1]);
     trial.done = true;
   }
 
   const AdviceRequest& request_;
-  const Scout& scout_;
+  const VerifiedScene& scene_;
   Advice& advice_;
   FlowLine line_;
   std::map<Overrides, MeasuredRun> runs_;
@@ -149,9 +187,8 @@ class Verifier {
 
 }  // namespace
 
-void verify_terms(const AdviceRequest& request, const std::array<double, 2>& region, const Scout& scout,
-                  Advice& advice) {
-  Verifier(request, scout, advice).run(region);
+void verify_terms(const AdviceRequest& request, const VerifiedScene& scene, Advice& advice) {
+  Verifier(request, scene, advice).run();
 }
 
 }  // namespace riffle

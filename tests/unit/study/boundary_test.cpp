@@ -86,6 +86,11 @@ TEST(Trace, NarrowsTheBoundaryToNeighboursThatWereTried) {
   EXPECT_GE(steps, 7);  // on every third row and the last
 }
 
+TEST(Trace, TriesEveryPointWhereItSearchesAsManyAsThereAre) {
+  const Classify classify = [](const std::vector<GridPoint>& points) { return std::vector<int>(points.size(), 1); };
+  EXPECT_EQ(trace_map(6, 5, 6, classify).runs(), 30);
+}
+
 TEST(Trace, OfSmallGridsTriesEveryPointAtMostOnce) {
   for (const int size : {2, 3, 4, 5}) {
     int asked = 0;
