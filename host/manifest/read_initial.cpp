@@ -50,6 +50,11 @@ std::optional<ReadFunction> read_component(Reading& reading, const TomlNode& nod
 
 void read_field(Reading& reading, const TomlEntry& entry, const FieldDescription& field) {
   const std::string key = "initial." + field.name;
+  if (entry.value.is_text() && entry.value.text == "reference") {
+    reading.result.initial_from_reference.push_back(field.name);  // read_reference sees whether it gives the field
+    effective_at(reading, key) = "reference";
+    return;
+  }
   const int wanted = reading.dim == 0 ? 0 : components(field.shape, reading.dim);
   const bool one = field.shape == Shape::scalar || (wanted <= 1 && !entry.value.is_array());
   std::vector<Function>& functions = reading.result.initial[field.name];

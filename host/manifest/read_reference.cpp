@@ -9,10 +9,30 @@
 #include "host/manifest/values.hpp"
 
 namespace riffle {
+namespace {
+
+// Fields that shall begin as the reference has them: there must be one, and it must give them.
+void check_initial_fields(Reading& reading, const PluginDescription* reference) {
+  for (const std::string& name : reading.result.initial_from_reference) {
+    const SourcePlace& place = reading.root.find("initial")->value.find(name)->value.place;
+    if (reference == nullptr) {
+      reading.mistakes.add(place, fmt::format("initial.{} = \"reference\" needs the table [reference]", name));
+      continue;
+    }
+    const bool given = std::any_of(reference->gives.begin(), reference->gives.end(),
+                                   [&](const FieldDescription& field) { return field.name == name; });
+    if (!given) {
+      reading.mistakes.add(place, fmt::format("initial.{}: reference \"{}\" gives no {}", name, reference->id, name));
+    }
+  }
+}
+
+}  // namespace
 
 void read_reference(Reading& reading) {
   const TomlNode* const table = find_table(reading, "reference");
   if (table == nullptr) {
+    check_initial_fields(reading, nullptr);
     reading.effective.erase("reference");
     return;
   }
@@ -51,6 +71,7 @@ void read_reference(Reading& reading) {
     }
   }
   if (!plugin) return;
+  check_initial_fields(reading, plugin->description);
   control.plugin = std::move(*plugin);
   reading.result.reference = std::move(control);
 }

@@ -10,6 +10,7 @@
 
 #include "host/particles/placement.hpp"
 #include "host/plugins/contracts.hpp"
+#include "host/time/reference_start.hpp"
 
 namespace riffle {
 
@@ -61,6 +62,7 @@ void Simulation::create_plugins(const Registry& registry) {
   terrain_ = std::make_unique<Terrain>(case_, instance_of("bed"), instance_of("width"));
   terrain_fields_ = std::make_unique<TerrainFields>(*terrain_, case_, instance_of("kernel"));
   if (case_.level.valid()) case_.initial["depth"] = {depth_below(case_.level, *terrain_)};
+  begin_with_reference(case_, registry, terrain_->services());
   std::vector<ActivePlugin> active;
   std::vector<std::string> given, broken;
   for (const auto& [field, functions] : case_.initial) given.push_back(field);

@@ -22,6 +22,18 @@ TEST_F(ManifestRefusals, WaterHasADepthOrALevel) {
   EXPECT_EQ(mistakes(with(dam_break, "depth = { x = [100], values = [10, 5] }", "level = \"3 m\"")), Lines{});
 }
 
+TEST_F(ManifestRefusals, AFieldMayBeginAsTheReferenceHasIt) {
+  const std::string from_reference =
+      with(dam_break, "values = [10, 5] }", "values = [10, 5] }\nvelocity = \"reference\"");
+  const Case c = read(from_reference + "[reference]\nid = \"stoker\"\n");
+  EXPECT_EQ(c.initial_from_reference, std::vector<std::string>{"velocity"});
+  EXPECT_EQ(c.initial.count("velocity"), 0u);
+  EXPECT_EQ(mistakes(from_reference),
+            (Lines{"case.toml:11:12: initial.velocity = \"reference\" needs the table [reference]"}));
+  EXPECT_EQ(mistakes(from_reference + "[reference]\nid = \"ritter\"\n"),
+            (Lines{"case.toml:11:12: initial.velocity: reference \"ritter\" gives no velocity"}));
+}
+
 TEST_F(ManifestRefusals, WhatAnEquationSetRefusesIsSaidWithItsReason) {
   EXPECT_EQ(
       refused("[plugins.viscosity]\nid = \"riemann\"\n[plugins.drag]\nid = \"manning\"\nn = 0.1\n"),
