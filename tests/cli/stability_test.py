@@ -95,7 +95,8 @@ class Stability(Scene):
                 continue
             with self.subTest(study=source.name):
                 text = re.sub(r'"([^"]+\.toml)"', lambda m: f'"{source.parent / m[1]}"', text)
-                text = re.sub(r"(count = )\d+", r"\g<1>60", text).replace(" to = ", " points = 4, to = ")
+                text = re.sub(r"(count = )\d+", r"\g<1>60", text)
+                text = re.sub(r", points = \d+", "", text).replace(" to = ", " points = 4, to = ")
                 (self.home / source.name).write_text(text)
                 said = self.riffle("stability", source.name, "--out", source.stem, "--quiet")
                 self.assertIn("of 16 points run", said.stdout)
