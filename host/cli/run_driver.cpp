@@ -23,6 +23,7 @@
 #include "host/output/progress.hpp"
 #include "host/output/run_folder.hpp"
 #include "host/output/snapshots.hpp"
+#include "host/verdicts/averages.hpp"
 #include "host/verdicts/watch.hpp"
 
 namespace riffle {
@@ -82,6 +83,7 @@ class Driver {
       cpu_before_ = resumed.at("cpu_seconds").get<double>();
       momentum_initial_ = resumed.at("momentum_initial").get<std::vector<double>>();
       watch_->restore(resumed.at("watch"));
+      if (averages_ && resumed.contains("averages")) averages_->restore(resumed.at("averages"));
       log_->info("resumed at t = {} s, step {}", simulation.time(), simulation.steps());
     } else {
       momentum_initial_ = simulation.momentum();
@@ -108,6 +110,8 @@ class Driver {
   void capture_initial(Simulation& simulation) {
     initial_ = capture(simulation);
     watch_ = std::make_unique<Watch>(simulation);
+    if (case_.output.averages_interval > 0)
+      averages_ = std::make_unique<Averages>(simulation, case_.output.averages_from);
   }
 
  private:
@@ -121,7 +125,8 @@ class Driver {
       const double snapshot = next_multiple(case_.output.snapshot_interval, simulation.time());
       const double profile = next_multiple(case_.output.profile_interval, simulation.time());
       const double checkpoint = next_multiple(case_.output.checkpoint_interval, simulation.time());
-      const double until = std::min({end, snapshot, profile, checkpoint});
+      const double average = next_multiple(case_.output.averages_interval, simulation.time());
+      const double until = std::min({end, snapshot, profile, checkpoint, average});
       while (simulation.time() < until && caught_signal == 0) {
         if (case_.time.max_steps > 0 && simulation.steps() >= case_.time.max_steps) break;
         const StepReport report = simulation.step(until);
@@ -143,6 +148,7 @@ class Driver {
         snapshots.write(simulation.store(), simulation.time(), simulation.steps());
       }
       if (simulation.time() == profile && profile < end) write_profile_to(folder_.profile(profiles_++));
+      if (simulation.time() == average && averages_) averages_->sample(simulation);
       if (simulation.time() == checkpoint && checkpoint < end) {
         save(snapshots);
         saved_at = wall_now();
@@ -165,6 +171,7 @@ class Driver {
                         {"cpu_seconds", cpu_before_ + cpu_now() - cpu_start_},
                         {"momentum_initial", momentum_initial_},
                         {"watch", watch_->state()}};
+    if (averages_) meta["averages"] = averages_->state();
     save_checkpoint(folder_.path(), {meta.dump(), std::move(state.reals), std::move(state.integers)});
   }
 
@@ -180,6 +187,11 @@ class Driver {
     report.limits = limits_;
     report.momentum_initial = momentum_initial_;
     report.verdicts = watch_->verdicts();
+    if (averages_) {
+      report.averages = averages_->result();
+      const std::vector<Verdict> more = averages_->verdicts();
+      report.verdicts.insert(report.verdicts.end(), more.begin(), more.end());
+    }
     report.verdict_seconds = watch_->seconds();
     report.wall_seconds = wall_before_ + wall_now() - wall_start_ - output_seconds_;
     report.cpu_seconds = cpu_before_ + cpu_now() - cpu_start_;
@@ -215,6 +227,7 @@ class Driver {
   std::unique_ptr<Comparison> comparison_;
   InitialState initial_;
   std::unique_ptr<Watch> watch_;
+  std::unique_ptr<Averages> averages_;
   std::map<std::string, StepLimit> limits_;
   std::vector<double> momentum_initial_;
   double wall_start_ = 0, cpu_start_ = 0, wall_before_ = 0, cpu_before_ = 0, output_seconds_ = 0;

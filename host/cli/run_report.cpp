@@ -251,6 +251,7 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
         std::accumulate(active, active + water(simulation), 0.0) / static_cast<double>(water(simulation));
   }
   if (report.failure.empty()) add_fronts(simulation, record);
+  record.averages = report.averages;
   record.bytes_per_particle =
       static_cast<double>(simulation.bytes()) / std::max<double>(1, static_cast<double>(record.particles));
   record.seconds.list = simulation.evaluator().list_seconds();

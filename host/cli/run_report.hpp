@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct RunReport {
   std::string resumed_from;
   std::vector<Verdict> verdicts;  // of the watch
   std::filesystem::path picture;
+  std::optional<FlowAverages> averages;
 };
 
 RunRecord make_record(Simulation& simulation, const Registry& registry, const Comparison* comparison,

@@ -56,6 +56,8 @@ struct OutputControl {
   double profile_interval = 0;          // s; 0: only last
   double checkpoint_interval = 0;       // s of simulated time; 0: none
   double checkpoint_wall_interval = 0;  // s of wall time; 0: none
+  double averages_interval = 0;         // s; 0: none
+  double averages_from = 0;             // s
   bool picture = true;
   std::vector<std::string> fields;  // to write; empty: initial and evolved fields
 };
@@ -79,7 +81,7 @@ struct Case {
   std::map<std::string, std::vector<Function>> initial;
   Function level;  // of the water at t = 0, instead of initial["depth"], which then follows from the bed
   std::vector<std::string> initial_from_reference;  // fields that begin as the reference has them at t = 0
-  std::vector<PluginChoice> plugins;  // in the order of the manifest, reference excluded
+  std::vector<PluginChoice> plugins;                // in the order of the manifest, reference excluded
   std::optional<ReferenceControl> reference;
   TimeControl time;
   OutputControl output;

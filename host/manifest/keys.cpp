@@ -131,6 +131,9 @@ std::vector<ManifestKey> make_keys() {
       real("output", "profiles", "s", 0, none, "simulated time between profiles; 0: only the last"),
       real("output", "checkpoint", "s", 0, none, "simulated time between checkpoints; 0: none"),
       real("output", "checkpoint_wall", "s", 0, none, "wall-clock time between checkpoints; 0: none"),
+      real("output", "averages", "s", 0, none,
+           "simulated time between samples of the averages of steady flow by height; 0: none"),
+      real("output", "averages_from", "s", 0, none, "when their sampling begins"),
       with_default(key("output", "picture", ParameterType::boolean, "whether to draw the picture of the run"), 1),
       formed(key("output", "fields", text, "fields to write; none named: initial and evolved fields"), Form::words),
 

@@ -108,6 +108,8 @@ void read_output(Reading& reading) {
   output.profile_interval = own.number("profiles", 0);
   output.checkpoint_interval = own.number("checkpoint", 0);
   output.checkpoint_wall_interval = own.number("checkpoint_wall", 0);
+  output.averages_interval = own.number("averages", 0);
+  output.averages_from = own.number("averages_from", 0);
   output.picture = own.number("picture", 1) != 0;
   if (const OwnValue* const fields = own.find("fields")) output.fields = fields->words;
 }

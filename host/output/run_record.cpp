@@ -84,6 +84,27 @@ Json limits_of(const RunRecord& record) {
   return all;
 }
 
+void add_averages(Json& json, const std::optional<FlowAverages>& averages) {
+  json["profiles"] = json["stress"] = json["balance"] = nullptr;
+  if (!averages || averages->samples == 0) return;
+  const FlowAverages& flow = *averages;
+  const auto optional = [](const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); };
+  json["profiles"] = {{"from", number(flow.from)},
+                      {"to", number(flow.to)},
+                      {"samples", flow.samples},
+                      {"z", numbers(flow.z)},
+                      {"velocity",
+                       {{"mean", numbers(flow.velocity)},
+                        {"rms_x", numbers(flow.rms_x)},
+                        {"rms_z", numbers(flow.rms_z)},
+                        {"over_depth", number(flow.mean_velocity)}}},
+                      {"pressure", {{"mean", numbers(flow.pressure)}}},
+                      {"depth", number(flow.depth)}};
+  json["stress"] = {
+      {"modelled", numbers(flow.modelled)}, {"resolved", numbers(flow.resolved)}, {"virial", numbers(flow.virial)}};
+  json["balance"] = {{"momentum", optional(flow.balance)}, {"drag", optional(flow.drag_share)}};
+}
+
 Json plugins_of(const RunRecord& record) {
   Json all = Json::array();
   for (const PluginRecord& p : record.plugins) {
@@ -184,6 +205,7 @@ Json to_json(const RunRecord& record) {
   json["active_fraction"] = optional(record.active_fraction);
   json["fronts"] = fronts_of(record);
   json["plateau"] = optional(record.fronts.plateau);
+  add_averages(json, record.averages);
   json["bytes_per_particle"] = number(record.bytes_per_particle);
   json["seconds"] = {{"sort", number(record.seconds.sort)},     {"list", number(record.seconds.list)},
                      {"sweeps", number(record.seconds.sweeps)}, {"integrate", number(record.seconds.integrate)},

@@ -58,6 +58,17 @@ struct PhaseSeconds {  // wall
   double sort = 0, list = 0, sweeps = 0, integrate = 0, output = 0, verdicts = 0;
 };
 
+// Averages over time and along the bed of flow that is statistically steady; one value per row of `z`.
+struct FlowAverages {
+  std::int64_t samples = 0;
+  double from = 0, to = 0;                         // s
+  std::vector<double> z, velocity, rms_x, rms_z;   // m, m/s: along the bed; deviations from the mean
+  std::vector<double> modelled, resolved, virial;  // Pa: shear stresses
+  std::vector<double> pressure;                    // Pa
+  double mean_velocity = 0, depth = 0;             // over the depth, m/s; m
+  std::optional<double> balance{}, drag_share{};   // of what drives the water: held back in all; by drag
+};
+
 struct RunRecord {
   RunStatus status = RunStatus::finished;
   std::string message;  // why it failed or is suspect: one sentence; empty otherwise
@@ -82,6 +93,7 @@ struct RunRecord {
   std::optional<double> active_fraction;  // of the water, where the equations have terms that act in places only
   std::optional<DepthStep> dam;           // where the initial state is a step
   Fronts fronts;
+  std::optional<FlowAverages> averages;  // where [output] averages asks for them
   double bytes_per_particle = 0;
   PhaseSeconds seconds;
 };

@@ -47,6 +47,12 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
   boundaries_->begin(0);
 }
 
+const std::vector<std::string>& averaged_fields() {
+  static const std::vector<std::string> names{"modelled_shear_stress", "virial_shear_stress", "pressure", "body_force",
+                                              "drag_rate"};
+  return names;
+}
+
 const PluginInstance* Simulation::instance_of(const std::string& kind) const {
   const auto found =
       std::find_if(instances_.begin(), instances_.end(), [&](const auto& i) { return i->kind() == kind; });
@@ -86,6 +92,11 @@ void Simulation::create_plugins(const Registry& registry) {
   active.push_back(host_fields_.plugin(case_.dimension));
   std::vector<std::string> wanted = case_.output.fields;
   if (terrain_->services().has_bed != 0) wanted.emplace_back("smoothed_bed_level");  // the energy of water stands on it
+  if (case_.output.averages_interval > 0) {
+    if (case_.dimension == 1)
+      throw ScheduleError({"output.averages are means by height, and this scene has one dimension: leave them out"});
+    wanted.insert(wanted.end(), averaged_fields().begin(), averaged_fields().end());
+  }
   graph_ = std::make_unique<Graph>(case_.dimension, active, given, wanted);
   require_that_terrain_is_used();
 }

@@ -36,6 +36,9 @@ struct StepReport {
   std::string limiter;  // "swe-standard: acoustic", "output time", "fixed step", ...
 };
 
+// Fields that averages over time are made of, beside those that move; those that the equations do not offer are left out.
+const std::vector<std::string>& averaged_fields();
+
 class Simulation {
  public:
   // Throws PluginError, ScheduleError or std::runtime_error with whole sentences when the case cannot be run.
