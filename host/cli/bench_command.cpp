@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/bench/boundary.hpp"
+#include "host/bench/dam_break.hpp"
 #include "host/bench/fused_best.hpp"
 #include "host/bench/through_plugins.hpp"
 #include "host/cli/commands.hpp"
@@ -89,6 +90,70 @@ int bench_boundary(const BoundaryRequest& request) {
   return exit_good;
 }
 
+struct DamBreakBench {
+  std::vector<std::filesystem::path> plugin_path;
+  std::filesystem::path json;
+  bench::DamBreakRequest scene;
+};
+
+int bench_dam_break_2d(const DamBreakBench& request) {
+  const Registry registry = open_registry(request.plugin_path, "");
+  const bench::DamBreakFigures figures = bench::bench_dam_break(registry, request.scene);
+  std::cout << fmt::format(
+      "{} particles of water, {:.1f} neighbours, disordered; Wendland C2, Monaghan viscosity, density diffusion, walls "
+      "of "
+      "particles; search, steps and walls included\n",
+      figures.particles, figures.neighbours);
+  std::cout << fmt::format("  {:.2f} M evaluations of all rates per second and core\n",
+                           1e-6 * figures.evaluations_per_second_per_core);
+  std::cout << fmt::format("  {:.2f} M per second times dt c0 / dx = {:.3f}: advance rate\n",
+                           1e-6 * figures.advance_rate, figures.step_over_spacing);
+  std::cout << fmt::format("  {:.2f} times as fast with two threads\n", figures.speedup_2_threads);
+  std::cout << fmt::format("  {:.0f} bytes per particle\n", figures.bytes_per_particle);
+  if (!request.json.empty()) {
+    const nlohmann::ordered_json json{{"particles", figures.particles},
+                                      {"neighbours", figures.neighbours},
+                                      {"evaluations_per_second_per_core", figures.evaluations_per_second_per_core},
+                                      {"advance_rate", figures.advance_rate},
+                                      {"step_over_spacing", figures.step_over_spacing},
+                                      {"speedup_2_threads", figures.speedup_2_threads},
+                                      {"bytes_per_particle", figures.bytes_per_particle}};
+    write_atomically(request.json, json.dump(2) + "\n");
+  }
+  return exit_good;
+}
+
+void add_dam_break(CLI::App& bench, int& code) {
+  auto* command = bench.add_subcommand(
+      "dam-break-2d", "A collapsing column in the vertical plane, as a run computes it: CPU time, medians");
+  auto request = std::make_shared<DamBreakBench>();
+  command->add_option("--json", request->json, "Write the figures to this file");
+  command->add_option("--particles", request->scene.particles, "Particles of water, about")
+      ->check(CLI::Range(1000, 10000000))
+      ->capture_default_str();
+  command->add_option("--warm-up", request->scene.warm_up, "Steps before the first that is timed")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
+  command->add_option("--steps", request->scene.steps, "Steps per repetition")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--repeats", request->scene.repeats, "Timed repetitions with one and with two threads")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--cfl", request->scene.cfl, "[time] cfl of the scene")->capture_default_str();
+  command->add_option("--plugin-path", request->plugin_path, "Folder with further plugins (may be repeated)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->callback([request, &code] {
+    try {
+      code = bench_dam_break_2d(*request);
+    } catch (const std::exception& error) {
+      std::cerr << error.what() << "\n";
+      code = exit_bad_input;
+    }
+  });
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app, int& code) {
@@ -97,6 +162,7 @@ void add_bench(CLI::App& app, int& code) {
   auto* boundary = command->add_subcommand(
       "boundary",
       "Plugins against the best hand-written monolith and against the usual way: CPU time, interleaved, medians");
+  add_dam_break(*command, code);
   auto request = std::make_shared<BoundaryRequest>();
   boundary->add_option("--json", request->json, "Write the figures to this file");
   boundary->add_option("--repeats", request->repeats, "Timed repetitions of each side")

@@ -78,15 +78,13 @@ struct Wcsph {
     static constexpr riffle_read reads[] = {riffle::at_i(f::density), riffle::at_i(f::mass), riffle::at_i(f::position),
                                             riffle::at_i(f::porosity, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::set(wc::particle_volume), riffle::set(wc::pair_pressure),
-                                              riffle::set(wc::inverse_density), riffle::set(wc::excess_density),
-                                              riffle::set(wc::diffusing_volume)};
+                                              riffle::set(wc::excess_density), riffle::set(wc::diffusing_volume)};
     static void of(const Wcsph& s, const riffle::Block& b, const double* pressure, double diffusing) {
       const double *rho = b.in(0), *m = b.in(1), *z = b.in(2, b.dim() - 1), *phi = b.has(3) ? b.in(3) : nullptr;
-      double *volume = b.out(0), *pair = b.out(1), *inverse = b.out(2), *excess = b.out(3), *spreading = b.out(4);
+      double *volume = b.out(0), *pair = b.out(1), *excess = b.out(2), *spreading = b.out(3);
       const double stratification = s.stratification, weight = s.rho0 * s.removed_gravity;
       RIFFLE_EACH(k, b) {
-        inverse[k] = 1 / rho[k];
-        volume[k] = m[k] * inverse[k] / (phi != nullptr ? phi[k] : 1.0);
+        volume[k] = m[k] / rho[k] / (phi != nullptr ? phi[k] : 1.0);
         const double below = s.reference_level - z[k];
         pair[k] = (pressure != nullptr ? pressure[k] : s.pressure_of(rho[k])) - weight * (below > 0 ? below : 0.0);
         excess[k] = rho[k] + stratification * z[k];
@@ -203,18 +201,18 @@ struct Wcsph {
   // pressure is taken out.
   struct BodyForce {
     static constexpr auto pass_name = "body force";
-    static constexpr riffle_read reads[] = {riffle::at_i(f::position), riffle::at_i(wc::inverse_density)};
+    static constexpr riffle_read reads[] = {riffle::at_i(f::position), riffle::at_i(f::density)};
     static constexpr riffle_write writes[] = {riffle::set(wc::body_force)};
     static void run(const Wcsph& s, const riffle::Block& b) {
       const int last = b.dim() - 1;
-      const double *x = b.in(0, 0), *y = last == 2 ? b.in(0, 1) : nullptr, *z = b.in(0, last), *inverse = b.in(1);
+      const double *x = b.in(0, 0), *y = last == 2 ? b.in(0, 1) : nullptr, *z = b.in(0, last), *rho = b.in(1);
       double *along = b.out(0, 0), *up = b.out(0, last);
       s.driving->evaluate(s.driving->context, b.size(), x, y, z, b.time(), along);
       const double slope = s.gravity * s.bed_slope, normal = s.normal_gravity, removed = s.removed_gravity * s.rho0;
       const double level = s.reference_level;
       RIFFLE_EACH(k, b) {
         along[k] += slope;
-        up[k] = (z[k] < level ? removed * inverse[k] : 0.0) - normal;
+        up[k] = (z[k] < level ? removed / rho[k] : 0.0) - normal;
       }
       if (last == 2) RIFFLE_EACH(k, b) b.out(0, 1)[k] = 0;
     }
@@ -222,13 +220,13 @@ struct Wcsph {
   struct Acceleration {
     static constexpr auto pass_name = "acceleration";
     static constexpr riffle_read reads[] = {riffle::at_i(wc::body_force), riffle::at_i(wc::pair_force),
-                                            riffle::at_i(wc::inverse_density)};
+                                            riffle::at_i(f::density)};
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration)};
     static void run(const Wcsph&, const riffle::Block& b) {
-      const double* inverse = b.in(2);
+      const double* rho = b.in(2);
       for (int c = 0; c < b.dim(); ++c) {
         const double *g = b.in(0, c), *force = b.in(1, c);
-        RIFFLE_EACH(k, b) b.out(0, c)[k] += g[k] + force[k] * inverse[k];
+        RIFFLE_EACH(k, b) b.out(0, c)[k] += g[k] + force[k] / rho[k];
       }
     }
   };

@@ -48,13 +48,13 @@ struct Shepard {
     static constexpr std::uint32_t pass_flags = RIFFLE_OCCASIONAL;
     static constexpr auto every = "every";
     static constexpr riffle_read reads[] = {riffle::at_i(kernel_share), riffle::at_i(density_share),
-                                            riffle::at_i(wc::excess_density), riffle::at_i(wc::inverse_density)};
+                                            riffle::at_i(wc::excess_density), riffle::at_i(f::density)};
     static constexpr riffle_write writes[] = {riffle::set(f::density)};
     static void run(const Shepard& s, const riffle::Block& b) {
-      const double *share = b.in(0), *sum = b.in(1), *excess = b.in(2), *inverse = b.in(3);
+      const double *share = b.in(0), *sum = b.in(1), *excess = b.in(2), *rho = b.in(3);
       const bool hydrostatic = s.hydrostatic;
       RIFFLE_EACH(k, b) {
-        const double at_rest = hydrostatic ? excess[k] - 1 / inverse[k] : 0.0;
+        const double at_rest = hydrostatic ? excess[k] - rho[k] : 0.0;
         b.out(0)[k] = sum[k] / share[k] - at_rest;
       }
     }

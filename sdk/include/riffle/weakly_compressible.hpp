@@ -25,7 +25,6 @@ inline constexpr riffle_field rest_volume =
     scalar_field("rest_volume", "md", "m / (phi rho0): the volume of a particle at rest density");
 inline constexpr riffle_field pair_pressure = scalar_field(
     "pair_pressure", "kg.m-1.s-2", "pressure that particles push with: all of it, or what exceeds the hydrostatic one");
-inline constexpr riffle_field inverse_density = scalar_field("inverse_density", "kg-1.m3", "1 / rho");
 inline constexpr riffle_field velocity_divergence = scalar_field(
     "velocity_divergence", "s-1", "- (1 / phi) div(phi u), as the pairs of a particle sum it up", RIFFLE_ACCUMULATES);
 inline constexpr riffle_field pair_force = vector_field(

@@ -35,6 +35,8 @@ RunRecord sample() {
   r.dam = DepthStep{100, 10, 5};
   r.fronts = {44, 43, 42, 8, 7};
   r.neighbours = NeighbourStatistics{7.9, 4, 8};
+  r.averages = FlowAverages{};
+  r.averages->samples = 1;
   return r;
 }
 
@@ -67,6 +69,11 @@ TEST(RunRecord, HasTheKeysThatScriptsRelyOn) {
                           "/fronts/crest",
                           "/plateau",
                           "/active_fraction",
+                          "/profiles/velocity/mean",
+                          "/stress/modelled",
+                          "/stress/resolved",
+                          "/stress/virial",
+                          "/balance/momentum",
                           "/plugins/0/id",
                           "/verdicts/0/name"}) {
     EXPECT_TRUE(json.contains(Json::json_pointer(key))) << key;
