@@ -41,11 +41,8 @@ struct LineGroup::Thread {
   AlignedArray counts;             // 1 where a pair is within reach, else 0
   std::vector<Call> calls;
   std::vector<Moving> moving;
+  std::vector<const double*> kept;  // arrays of layout.keeps
 };
-
-bool LineGroup::possible(const GroupLayout& layout) {
-  return layout.dim == 1 && layout.keeps.empty();
-}
 
 LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request,
                      const std::set<int>& written_before)
@@ -77,6 +74,14 @@ LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const Neighb
 
 LineGroup::~LineGroup() = default;
 
+std::vector<const AlignedArray*> LineGroup::kept_of(int field) const {
+  std::vector<const AlignedArray*> components;
+  for (std::size_t q = 0; q < layout_.keeps.size(); ++q) {
+    if (layout_.keeps[q].field == field) components.push_back(&kept_.values()[q]);
+  }
+  return components;
+}
+
 int LineGroup::column_of(const Source& source) {
   const auto found = std::find(sources_.begin(), sources_.end(), source);
   const auto index = static_cast<int>(found - sources_.begin());
@@ -93,6 +98,7 @@ std::unique_ptr<LineGroup::Thread> LineGroup::make_thread() const {
   for (const auto& [array, value] : layout_.constants) {
     std::fill_n(local->arena.data() + static_cast<std::size_t>(array) * length, length, value);
   }
+  local->kept.resize(layout_.keeps.size());
   for (std::size_t r = 0; r < layout_.reductions.size(); ++r) local->sums.emplace_back(length);
   for (std::size_t c = 0; c < layout_.calls.size(); ++c) {
     auto& call = local->calls.emplace_back();
@@ -162,6 +168,14 @@ void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& im
     fill(first_column + static_cast<int>(k), source(sources_[k]), false);
   for (Late& late : late_) late.from = source(sources_[static_cast<std::size_t>(late.column - first_column)]);
   while (static_cast<int>(threads_.size()) < threads) threads_.push_back(make_thread());
+  if (layout_.keeps.empty()) return;
+  who_.resize(static_cast<std::size_t>(end + margin));
+  for (std::int64_t k = 0; k < on_left; ++k)
+    who_[static_cast<std::size_t>(begin + k)] = static_cast<std::int32_t>(left[static_cast<std::size_t>(k)]);
+  if (!same_ends) std::iota(who_.begin() + start_, who_.begin() + start_ + n, 0);
+  for (std::int64_t k = 0; k < on_right; ++k)
+    who_[static_cast<std::size_t>(start_ + n + k)] = static_cast<std::int32_t>(right[static_cast<std::size_t>(k)]);
+  kept_.prepare(owned, layout_.keeps.size(), static_cast<std::size_t>(threads));
 }
 
 // How far those at k and beyond reach back, a little more than exactly: where a walk ends must not decide whether a pair
@@ -272,6 +286,7 @@ GroupFailure LineGroup::run(std::int64_t first, std::int64_t last, int thread, d
         if (reduction.with_self) std::copy_n(array(reduction.array), n, local.sums[q].data());
       }
     }
+    if (!layout_.keeps.empty()) kept_.begin_rows(b, count);
     const double *x = columns_[x_column].data(), *u = layout_.approach ? columns_[u_column].data() : nullptr;
     const double* reach = columns_[reach_column].data();
     double* counts = local.counts.data();
@@ -307,6 +322,10 @@ GroupFailure LineGroup::run(std::int64_t first, std::int64_t last, int thread, d
         if (count_of.within == 0) continue;
         const bool all = count_of.within == static_cast<double>(n);
         if (!evaluate(local, i, j, n, b, time, dt, failure)) return failure;
+        if (!layout_.keeps.empty()) {
+          for (std::size_t q = 0; q < layout_.keeps.size(); ++q) local.kept[q] = array(layout_.keeps[q].array);
+          kept_.add(static_cast<std::size_t>(thread), b, count, all ? nullptr : counts, who_.data() + j, local.kept);
+        }
         for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {
           const Reduction& reduction = layout_.reductions[q];
           const double* f = array(reduction.array);

@@ -16,6 +16,7 @@
 
 #include "host/schedule/group_failure.hpp"
 #include "host/schedule/images.hpp"
+#include "host/schedule/kept_rows.hpp"
 #include "host/schedule/layout.hpp"
 
 namespace riffle {
@@ -27,8 +28,7 @@ class LineGroup {
             const std::set<int>& written_before);
   ~LineGroup();
 
-  // What a group must not have to be run on a line: pair fields that are kept for the whole list.
-  [[nodiscard]] static bool possible(const GroupLayout& layout);
+  [[nodiscard]] static bool possible(const GroupLayout& layout) { return layout.dim == 1; }
 
   // Copies the columns that the group reads into the order of the line. `source`: the particle array of a Source.
   void prepare(const ParticleStore& store, const std::vector<Image>& images, double kappa, int threads,
@@ -38,6 +38,11 @@ class LineGroup {
   // failure, if any.
   GroupFailure run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
                    const std::function<double*(const Reduction&)>& field);
+
+  // Pair fields that the group keeps. After all of run(), finish_kept() makes the rows whole.
+  void finish_kept() { kept_.finish(); }
+  [[nodiscard]] const KeptRows& kept() const { return kept_; }
+  [[nodiscard]] std::vector<const AlignedArray*> kept_of(int field) const;  // component by component
 
  private:
   struct Thread;
@@ -74,6 +79,8 @@ class LineGroup {
   };
   std::vector<Late> late_;  // columns of fields that the sweep itself has just written
   std::vector<std::unique_ptr<Thread>> threads_;
+  KeptRows kept_;
+  std::vector<std::int32_t> who_;  // per column index: the particle or image that stands there; only with keeps
 };
 
 }  // namespace riffle

@@ -29,6 +29,8 @@ struct Span {
   std::uint32_t role;
 };
 
+class LineGroup;
+
 // Where the lists come from; the neighbourhood implements it.
 class ListProvider {
  public:
@@ -54,7 +56,6 @@ class Runner {
   double vote(const GraphVote& vote, double time, double dt);
   // Attribute fields with one value for all particles need no gather; call when attributes have changed.
   void find_uniform_fields();
-  [[nodiscard]] const std::vector<AlignedArray>& kept(int field) const { return kept_.at(field); }
 
  private:
   struct Group;
@@ -83,7 +84,8 @@ class Runner {
   std::vector<double> uniform_value_;
   std::vector<Field*> field_;  // of the store, by graph index; nullptr for per-pair fields
   std::map<std::pair<const Plan*, std::size_t>, std::unique_ptr<Compiled>> compiled_;
-  std::map<int, std::vector<AlignedArray>> kept_;
+  std::map<int, std::vector<AlignedArray>> kept_;  // per field, component by component, in the order of the list
+  std::map<int, const LineGroup*> kept_on_line_;   // or who holds them, where the line made them; else nullptr
   AlignedArray inverse_l_;
   std::string failure_;
 };
