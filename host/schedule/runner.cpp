@@ -274,7 +274,7 @@ void Runner::prepare(Group& group, const ListProvider& lists, const std::vector<
   if (group.on_a_line) {
     if (group.line == nullptr)
       group.line = std::make_unique<LineGroup>(graph_, group.layout, group.request, group.written_before);
-    group.line->prepare(store_, images, lists.kappa(), threads, from);
+    group.line->prepare(store_, images, lists.kappa(), threads, from, fresh_, evaluation_);
     for (const Keep& keep : group.layout.keeps) kept_on_line_[keep.field] = group.line.get();
     return;
   }
@@ -305,14 +305,7 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
   }
   Compiled& compiled = compile(plan, index);
   const int threads = omp_get_max_threads();
-  const auto n_all = static_cast<std::size_t>(store_.all() + 1);
-  const bool pairs = !compiled.groups.empty();
-  if (pairs) {
-    if (inverse_l_.size() < n_all) inverse_l_.resize(n_all);
-    const double* l = store_.data("smoothing_length");
-#pragma omp parallel for simd schedule(static)
-    for (std::int64_t i = 0; i < store_.all(); ++i) inverse_l_.data()[i] = 1.0 / l[i];
-  }
+  if (!compiled.groups.empty()) invert_lengths();
   for (auto& group : compiled.groups) prepare(group, lists, images, threads);
   std::vector<Span> chunks;
   if (only != nullptr && compiled.zero_fields.empty()) {

@@ -31,4 +31,23 @@ void Runner::fail(const PassNode& failed, const std::string& message) {
   }
 }
 
+// Smoothing lengths reach kernels as their inverses, formed once per sweep.
+void Runner::invert_lengths() {
+  const auto n = static_cast<std::size_t>(store_.all() + 1);
+  const bool grown = inverse_l_.size() < n;
+  if (grown) inverse_l_.resize(n);
+  const double* l = store_.data("smoothing_length");
+  double* inverse = inverse_l_.data();
+  if (fresh_ != nullptr && !grown && inverted_ >= evaluation_ - 1) {
+    for (const Span& span : *fresh_) {
+      for (std::int64_t i = span.first; i < span.last; ++i) inverse[i] = 1.0 / l[i];
+    }
+    for (std::int64_t i = store_.owned(); i < store_.all(); ++i) inverse[i] = 1.0 / l[i];
+  } else {
+#pragma omp parallel for simd schedule(static)
+    for (std::int64_t i = 0; i < store_.all(); ++i) inverse[i] = 1.0 / l[i];
+  }
+  inverted_ = evaluation_;
+}
+
 }  // namespace riffle

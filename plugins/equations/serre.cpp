@@ -13,11 +13,13 @@
 // Single terms are not invariant under a moving frame, and B3 without B1 is backward diffusion wherever the flow expands.
 // With eta = 1 and the cubic spline it is cheapest and best. Not in it: slope and curvature of the bed in the vertical
 // acceleration (hydrostatic forces of a bed are); friction acts outside the solve. Where it fails: dam breaks of depth ratio 0.3 and below without `breaking`; water of very different volumes side by side.
+#include <algorithm>
 #include <cmath>
 #include <riffle/dispersion_system.hpp>
 #include <riffle/variational_shallow.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace f = riffle::fields;
 namespace v = riffle::variational;
@@ -44,6 +46,8 @@ struct Serre {
       riffle::real("threshold", "1", 0.001, 0, 10,
                    "where-needed: ratio 2 |d2h/dt2| / (3 g) above which the terms act; 0.01 is coarser"),
       riffle::real("buffer", "1", 2, 0, 1000, "where-needed: depths by which that region is widened"),
+      riffle::real("rest", "1", 1e-8, 0, 1e-3,
+                   "where-needed: water at rest stays so, and costs nothing, below this acceleration over g"),
       riffle::choice("breaking", "off|on", "off",
                      "on: hydrostatic, and more viscous, where water rises too fast, as in a bore that breaks"),
       riffle::real("breaking_start", "1", 0.5, 0, 10, "dh/dt over sqrt(g h) at which water begins to break"),
@@ -103,6 +107,7 @@ struct Serre {
   struct Gradients {  // row i of D, but for its diagonal
     static constexpr auto pass_name = "gradients of depth";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr std::uint32_t neighbours = RIFFLE_EITHER;  // as momentum, so that they share its pairs
     static constexpr auto when = dispersive;
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::pair(f::separation),
@@ -119,6 +124,7 @@ struct Serre {
   struct Derivatives {
     static constexpr auto pass_name = "derivatives of depth";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr std::uint32_t neighbours = RIFFLE_EITHER;  // as momentum, so that they share its pairs
     static constexpr auto when = dispersive;
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume),          riffle::difference(f::velocity),
@@ -143,6 +149,7 @@ struct Serre {
   struct Curvature {  // u_xx = 2 sum_j V_j / h u_ij F: only where B1 and B2 do not go together
     static constexpr auto pass_name = "curvature of velocity";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr auto when = "terms=B1+B3|B2+B3|B1|B2";
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::difference(f::velocity),
                                             riffle::at_i(f::kernel_gradient)};
@@ -155,6 +162,7 @@ struct Serre {
 
   struct Source {
     static constexpr auto pass_name = "rate of depth";
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr auto when = dispersive;
     static constexpr riffle_read reads[] = {riffle::at_i(s_own),
                                             riffle::at_i(s_rise),
@@ -188,6 +196,7 @@ struct Serre {
   struct Breaking {  // dissipation of a bore that breaks, in the form of v::Momentum
     static constexpr auto pass_name = "dissipation where water breaks";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr std::uint32_t neighbours = RIFFLE_EITHER;
     static constexpr auto when = "breaking=on";
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume),
@@ -233,7 +242,8 @@ struct Serre {
                                             riffle::at_i(depth_rate),
                                             riffle::at_i(ratio, RIFFLE_PREVIOUS),
                                             riffle::at_i(active, RIFFLE_PREVIOUS),
-                                            riffle::at_i(breaks, RIFFLE_PREVIOUS)};
+                                            riffle::at_i(breaks, RIFFLE_PREVIOUS),
+                                            riffle::at_i(f::velocity)};
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration), riffle::set(vertical), riffle::set(ratio),
                                               riffle::set(active), riffle::set(breaks)};
     static void run(const Serre& s, const riffle::Block& b, const riffle_pairs& pairs);
@@ -256,6 +266,7 @@ struct Serre {
         smoothing_ratio(values.number("smoothing_ratio")),
         threshold(values.number("threshold")),
         buffer(values.number("buffer")),
+        rest(values.number("rest")),
         start(values.number("breaking_start")),
         stop(values.number("breaking_stop")),
         alpha(values.number("breaking_alpha")),
@@ -274,58 +285,88 @@ struct Serre {
   }
   void connect(const riffle_services& services) { terrain = services; }
 
-  double gravity, smoothing_ratio, reference_width = 1, threshold, buffer, start, stop, alpha, beta;
+  double gravity, smoothing_ratio, reference_width = 1, threshold, buffer, rest, start, stop, alpha, beta;
   double t1 = 0, t2 = 0, t3 = 0;
   bool where_needed = false, breaking = false;
   riffle_services terrain{};
+};
+
+struct Work {
+  riffle::DispersionSystem system;
+  std::vector<char> quiet, on, broken, wide;
+  std::vector<double> product;
 };
 
 void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pairs& pairs) {
   const std::int64_t n = b.size();
   const double *entries = b.in(0), *own = b.in(1), *given = b.in(2), *source = b.in(3), *volume = b.in(4);
   const double *depth = b.in(5), *x = b.in(6), *rate = b.in(7), *before = b.in(8), *was_active = b.in(9);
-  const double* was_breaking = b.in(10);
+  const double *was_breaking = b.in(10), *u = b.in(11);
   double *acceleration = b.out(0), *vertical_out = b.out(1), *ratio_out = b.out(2), *active_out = b.out(3);
   double* breaks_out = b.out(4);
-  thread_local riffle::DispersionSystem system;
-  system.read(pairs, own, entries, n);
-  std::vector<char> on(static_cast<std::size_t>(n), 1);
+  const auto size = static_cast<std::size_t>(n);
+  thread_local Work kept;  // memory from call to call
+  Work& work = kept;
+  riffle::DispersionSystem& system = work.system;
+  // Water at rest whose acceleration is round-off, or nearly so: it stays at rest, to the last bit.
+  work.quiet.assign(size, 0);
+  char* quiet = work.quiet.data();
   if (s.where_needed) {
+    const double least = s.rest * s.gravity;
     for (std::int64_t i = 0; i < n; ++i) {
-      const double r =
-          was_active[i] > 0 ? before[i] : 2 * std::abs(system.row_times(i, given) + source[i]) / (3 * s.gravity);
-      on[static_cast<std::size_t>(i)] = r > s.threshold ? 1 : 0;
+      const bool still = (u[i] == 0) & (std::abs(source[i]) < least) & (std::abs(given[i]) < least);
+      quiet[i] = still ? 1 : 0;
     }
-    on = riffle::widened(on, x, depth, s.buffer);
   }
-  if (s.breaking) {
-    std::vector<char> broken(static_cast<std::size_t>(n), 0);
-    for (std::int64_t i = 0; i < n; ++i) {
+  system.read(pairs, own, entries, n, work.quiet);
+  work.on.assign(size, s.where_needed ? 0 : 1);
+  work.product.resize(size);
+  std::fill_n(breaks_out, n, 0.0);
+  const double to_ratio = 2 / (3 * s.gravity);
+  if (s.where_needed) system.multiply(given, work.product.data());
+  for (const auto& [first, last] : system.stretches()) {
+    char* on = work.on.data();
+    if (s.where_needed) {
+      const double* product = work.product.data();
+      for (std::int64_t i = first; i < last; ++i) {
+        const double r = was_active[i] > 0 ? before[i] : to_ratio * std::abs(product[i] + source[i]);
+        on[i] = r > s.threshold ? 1 : 0;
+      }
+      riffle::widen(on, x, depth, s.buffer, first, last, work.wide);
+    }
+    if (!s.breaking) continue;
+    for (std::int64_t i = first; i < last; ++i) {
       const double speed = rate[i] / std::sqrt(s.gravity * depth[i]);
-      broken[static_cast<std::size_t>(i)] = speed > (was_breaking[i] == 1 ? s.stop : s.start) ? 1 : 0;
+      breaks_out[i] = speed > (was_breaking[i] == 1 ? s.stop : s.start) ? 1 : 0;
     }
-    const std::vector<char> wide = riffle::widened(broken, x, depth, 1);
-    for (std::int64_t i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (wide[k] != 0) on[k] = 0;
-      breaks_out[i] = broken[k] != 0 ? 1 : wide[k] != 0 ? 0.999 : 0;  // only those that broke themselves go on breaking
+    work.broken.assign(size, 0);
+    for (std::int64_t i = first; i < last; ++i) work.broken[static_cast<std::size_t>(i)] = breaks_out[i] > 0 ? 1 : 0;
+    riffle::widen(work.broken.data(), x, depth, 1, first, last, work.wide);
+    for (std::int64_t i = first; i < last; ++i) {
+      if (work.broken[static_cast<std::size_t>(i)] == 0) continue;
+      on[i] = 0;
+      if (breaks_out[i] == 0) breaks_out[i] = 0.999;  // only those that broke themselves go on breaking
     }
-  } else {
-    std::fill_n(breaks_out, n, 0.0);
   }
 
-  const double* solved = system.solve(s.t1, on, volume, given, source);
+  const double* solved = system.solve(s.t1, work.on, volume, given, source);
   if (solved == nullptr)
     throw std::runtime_error(s.t3 != 0 && s.t1 == 0
                                  ? "terms with B3 but without B1 are ill-posed in expansion, and the flow has blown up"
                                  : "the matrix of the vertical acceleration is not positive definite: the depth or the "
                                    "gradients of it are no numbers any more");
   system.multiply(solved, vertical_out);
-  for (std::int64_t i = 0; i < n; ++i) {
-    acceleration[i] += solved[i];
-    vertical_out[i] += source[i];
-    ratio_out[i] = 2 * std::abs(vertical_out[i]) / (3 * s.gravity);
-    active_out[i] = on[static_cast<std::size_t>(i)];
+  std::fill_n(ratio_out, n, 0.0);
+  std::fill_n(active_out, n, 0.0);
+  for (const auto& [first, last] : system.stretches()) {
+    const char* on = work.on.data();
+    for (std::int64_t i = first; i < last; ++i) {
+      const bool rests = quiet[i] != 0 && on[i] == 0;
+      acceleration[i] += rests ? 0.0 : solved[i];
+      vertical_out[i] = rests ? 0.0 : vertical_out[i] + source[i];
+      ratio_out[i] = to_ratio * std::abs(vertical_out[i]);
+      active_out[i] = on[i];
+    }
   }
 }
 

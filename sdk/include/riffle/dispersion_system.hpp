@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "riffle/abi.h"
@@ -16,42 +17,54 @@
 
 namespace riffle {
 
-// Marks all within so many of its own depths of a marked particle; x ascending.
-inline std::vector<char> widened(const std::vector<char>& marked, const double* x, const double* depth, double depths) {
-  std::vector<char> wide = marked;
-  const auto n = static_cast<std::int64_t>(marked.size());
-  const auto is_marked = [&](std::int64_t j) { return marked[static_cast<std::size_t>(j)] != 0; };
-  for (std::int64_t i = 0; i < n; ++i) {
-    if (!is_marked(i)) continue;
+// Marks all of [first, last) within so many of its own depths of a marked particle there; x ascending.
+inline void widen(char* marked, const double* x, const double* depth, double depths, std::int64_t first,
+                  std::int64_t last, std::vector<char>& wide) {
+  wide.assign(marked + first, marked + last);
+  char* to = wide.data() - first;
+  for (std::int64_t i = first; i < last; ++i) {
+    if (marked[i] == 0) continue;
     const double reach = depths * depth[i];
-    for (std::int64_t j = i - 1; j >= 0 && x[i] - x[j] <= reach && !is_marked(j); --j)
-      wide[static_cast<std::size_t>(j)] = 1;
-    for (std::int64_t j = i + 1; j < n && x[j] - x[i] <= reach && !is_marked(j); ++j)
-      wide[static_cast<std::size_t>(j)] = 1;
+    for (std::int64_t j = i - 1; j >= first && x[i] - x[j] <= reach && marked[j] == 0; --j) to[j] = 1;
+    for (std::int64_t j = i + 1; j < last && x[j] - x[i] <= reach && marked[j] == 0; ++j) to[j] = 1;
   }
-  return wide;
+  std::copy(wide.begin(), wide.end(), marked + first);
 }
 
 class DispersionSystem {  // memory is kept from call to call
  public:
-  // Rows of D: `own` on the diagonal, -entries[k] for the pairs of the list; images count as their origin.
-  void read(const riffle_pairs& pairs, const double* own, const double* entries, std::int64_t n) {
+  // Rows of D: `own` on the diagonal, -entries[k] for the pairs of the list; images count as their origin. Rows far from
+  // anything that is not quiet are left out: no term may act there, and their product with anything counts as 0.
+  void read(const riffle_pairs& pairs, const double* own, const double* entries, std::int64_t n,
+            const std::vector<char>& quiet) {
     n_ = n;
+    find_stretches(quiet);
     std::int64_t widest = read_within(half_, pairs, own, entries);
-    if (widest > half_) read_within(widest, pairs, own, entries);
+    if (widest > half_) {
+      half_ = widest;
+      find_stretches(quiet);
+      widest = read_within(half_, pairs, own, entries);
+    }
     half_ = std::max<std::int64_t>(widest, 1);
-    if (half_ != stored_) widest = read_within(half_, pairs, own, entries);
+    if (half_ != stored_) read_within(half_, pairs, own, entries);
   }
+  [[nodiscard]] const std::vector<std::pair<std::int64_t, std::int64_t>>& stretches() const { return stretches_; }
 
   // out = D a
   void multiply(const double* a, double* out) const {
-    switch (half_) {
-      case 1: return multiply_within<1>(a, out);
-      case 2: return multiply_within<2>(a, out);
-      case 3: return multiply_within<3>(a, out);
-      default:
-        for (std::int64_t i = 0; i < n_; ++i) out[i] = row_times(i, a);
+    std::int64_t done = 0;
+    for (const auto& [first, last] : stretches_) {
+      std::fill(out + done, out + first, 0.0);
+      done = last;
+      switch (half_) {
+        case 1: multiply_within<1>(a, out, first, last); break;
+        case 2: multiply_within<2>(a, out, first, last); break;
+        case 3: multiply_within<3>(a, out, first, last); break;
+        default:
+          for (std::int64_t i = first; i < last; ++i) out[i] = row_times(i, a);
+      }
     }
+    std::fill(out + done, out + n_, 0.0);
   }
   [[nodiscard]] double row_times(std::int64_t i, const double* a) const {  // (D a)_i
     const std::int64_t first = std::max<std::int64_t>(-half_, -i), last = std::min(half_, n_ - 1 - i);
@@ -76,29 +89,44 @@ class DispersionSystem {  // memory is kept from call to call
   }
 
  private:
+  // What lies within 64 rows, and within two widths of the matrix, of a row that is not quiet.
+  void find_stretches(const std::vector<char>& quiet) {
+    stretches_.clear();
+    const std::int64_t margin = std::max<std::int64_t>(64, 4 * half_);
+    for (std::int64_t i = 0; i < n_; ++i) {
+      if (quiet[static_cast<std::size_t>(i)] != 0) continue;
+      const std::int64_t first = std::max<std::int64_t>(0, i - margin), last = std::min(n_, i + margin + 1);
+      if (!stretches_.empty() && first <= stretches_.back().second)
+        stretches_.back().second = last;
+      else
+        stretches_.emplace_back(first, last);
+    }
+  }
   // Stores rows of `half` entries on either side; returns how many they should have had.
   std::int64_t read_within(std::int64_t half, const riffle_pairs& pairs, const double* own, const double* entries) {
     const std::int64_t width = 2 * half + 1;
     std::int64_t widest = 0;
     stored_ = half;
     rows_.resize(static_cast<std::size_t>(n_ * width));
-    for (std::int64_t i = 0; i < n_; ++i) {
-      double* d = rows_.data() + i * width + half;
-      for (std::int64_t k = -half; k <= half; ++k) d[k] = 0;
-      d[0] = own[i];
-      for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i] + pairs.count[i]; ++k) {
-        if (entries[k] == 0) continue;  // at the very end of the support: it would widen the band for nothing
-        const std::int32_t j = pairs.neighbour[k];
-        const std::int64_t away = (j < pairs.n_owned ? j : pairs.origin[j - pairs.n_owned]) - i;
-        widest = std::max(widest, std::abs(away));
-        if (std::abs(away) <= half) d[away] -= entries[k];
+    for (const auto& [first, last] : stretches_) {
+      for (std::int64_t i = first; i < last; ++i) {
+        double* d = rows_.data() + i * width + half;
+        for (std::int64_t k = -half; k <= half; ++k) d[k] = 0;
+        d[0] = own[i];
+        for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i] + pairs.count[i]; ++k) {
+          if (entries[k] == 0) continue;  // at the very end of the support: it would widen the band for nothing
+          const std::int32_t j = pairs.neighbour[k];
+          const std::int64_t away = (j < pairs.n_owned ? j : pairs.origin[j - pairs.n_owned]) - i;
+          widest = std::max(widest, std::abs(away));
+          if (std::abs(away) <= half) d[away] -= entries[k];
+        }
       }
     }
     return widest;
   }
   template <int Half>
-  void multiply_within(const double* a, double* out) const {
-    for (std::int64_t i = 0; i < n_; ++i) {
+  void multiply_within(const double* a, double* out, std::int64_t first, std::int64_t last) const {
+    for (std::int64_t i = first; i < last; ++i) {
       if (i < Half || i + Half >= n_) {
         out[i] = row_times(i, a);
         continue;
@@ -202,6 +230,7 @@ class DispersionSystem {  // memory is kept from call to call
 
   std::int64_t n_ = 0, half_ = 2;  // the entries of a row lie so far from the diagonal at most
   std::int64_t stored_ = 0;
+  std::vector<std::pair<std::int64_t, std::int64_t>> stretches_;  // of rows that were read
   std::vector<double> rows_, solution_;
   std::vector<std::int64_t> start_;
   Envelope matrix_;

@@ -76,7 +76,7 @@ TEST_P(Width, DoesNotMatterToTheSolution) {
   for (std::size_t i = 25; i < 45; ++i) acts[i] = 0;
   DispersionSystem system;
   for (const double t1 : {1.0, 0.0, 1.0}) {  // and once more: what was there before does not matter
-    system.read(rows.pairs, rows.own.data(), rows.entry.data(), n);
+    system.read(rows.pairs, rows.own.data(), rows.entry.data(), n, std::vector<char>(n, 0));
     const double* a = system.solve(t1, acts, volume.data(), given.data(), source.data());
     ASSERT_NE(a, nullptr);
     std::vector<double> inner(n, 0.0), product(n);  // P V (t1 D a + S) / 3
@@ -100,12 +100,28 @@ TEST_P(Width, DoesNotMatterToTheSolution) {
   }
 }
 
+TEST(DispersionSystem, LeavesOutWhatIsFarFromAnythingThatIsNotQuiet) {
+  constexpr std::int64_t n = 400;
+  const Rows rows(n, 2);
+  std::vector<char> quiet(n, 1);
+  quiet[150] = 0;
+  DispersionSystem system;
+  system.read(rows.pairs, rows.own.data(), rows.entry.data(), n, quiet);
+  EXPECT_EQ(system.stretches(), (std::vector<std::pair<std::int64_t, std::int64_t>>{{86, 215}}));
+  const std::vector<double> one(n, 1.0);
+  std::vector<double> product(n, 7.0), all(n);
+  system.multiply(one.data(), product.data());
+  system.read(rows.pairs, rows.own.data(), rows.entry.data(), n, std::vector<char>(n, 0));
+  system.multiply(one.data(), all.data());
+  for (std::size_t i = 0; i < n; ++i) EXPECT_EQ(product[i], i < 86 || i >= 215 ? 0 : all[i]) << i;
+}
+
 TEST(DispersionSystem, SaysWhenAMatrixIsNotPositiveDefinite) {
   const Rows rows(20, 2);
   const std::vector<double> volume(20, 1.0), zero(20, 0.0), bad(20, std::nan(""));
   const std::vector<char> acts(20, 1);
   DispersionSystem system;
-  system.read(rows.pairs, rows.own.data(), rows.entry.data(), 20);
+  system.read(rows.pairs, rows.own.data(), rows.entry.data(), 20, std::vector<char>(20, 0));
   EXPECT_EQ(system.solve(-100, acts, volume.data(), zero.data(), zero.data()), nullptr);
   EXPECT_EQ(system.solve(1, acts, bad.data(), zero.data(), zero.data()), nullptr);
   EXPECT_NE(system.solve(1, acts, volume.data(), zero.data(), zero.data()), nullptr);
