@@ -85,7 +85,8 @@ void check_number_parameter(const riffle_plugin& plugin, const char* name, std::
 }
 
 void check_flags(const riffle_plugin& plugin, const riffle_pass& pass, const std::string& subject, Problems& problems) {
-  constexpr std::uint32_t known = RIFFLE_WITH_SELF | RIFFLE_INITIAL | RIFFLE_OCCASIONAL | RIFFLE_IF_PROVIDED;
+  constexpr std::uint32_t known =
+      RIFFLE_WITH_SELF | RIFFLE_INITIAL | RIFFLE_OCCASIONAL | RIFFLE_IF_PROVIDED | RIFFLE_STEADY;
   if ((pass.flags & ~known) != 0) problems.add(fmt::format("{}: unknown flags {:#x}", subject, pass.flags));
   if ((pass.flags & RIFFLE_WITH_SELF) != 0 && pass.type != RIFFLE_PASS_PAIR) {
     problems.add(subject + ": only a pair pass has a pair of a particle with itself");

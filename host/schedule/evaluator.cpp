@@ -23,6 +23,7 @@ Evaluator::Evaluator(const Graph& graph, ParticleStore& store, Neighbourhood& ne
       stale_(graph.nodes().size(), 1),
       images_current_(graph.fields().size(), 0),
       dependents_(graph.fields().size()),
+      resting_(graph, store, neighbourhood.kappa()),
       next_due_(graph.nodes().size(), 0),
       position_(graph.field("position")),
       smoothing_length_(graph.field("smoothing_length")) {
@@ -91,6 +92,7 @@ void Evaluator::everything_changed() {
   lists_current_ = false;
   neighbourhood_.invalidate();
   attributes_changed_ = true;
+  resting_.forget();
 }
 
 void Evaluator::mark_fresh(const std::vector<int>& nodes) {
@@ -166,7 +168,22 @@ void Evaluator::compute(const std::vector<int>& fields, double time, double dt) 
     if (wanted[n] != 0) nodes.push_back(static_cast<int>(n));
   }
   if (nodes.empty()) return;
-  run(plan_for(nodes), time, dt);
+  const Plan& plan = plan_for(nodes);
+  const auto known = may_rest_.find(&plan);
+  const bool rests = known != may_rest_.end() ? known->second : (may_rest_[&plan] = may_rest(plan));
+  if (attributes_changed_) resting_.forget();
+  if (rests && resting_.possible(plan.nodes)) {
+    bring_lists();
+    const bool on_a_line = std::all_of(plan.nodes.begin(), plan.nodes.end(), [&](int n) {
+      const PassNode& node = graph_.nodes()[static_cast<std::size_t>(n)];
+      return !node.pair || neighbourhood_.on_a_line({node.reach, node.targets, node.sources});
+    });
+    const auto awake = on_a_line ? resting_.awake(plan.nodes, neighbourhood_.images()) : std::nullopt;
+    run(plan, time, dt, awake ? &*awake : nullptr);
+    if (on_a_line) resting_.ran(plan.nodes);
+  } else {
+    run(plan, time, dt);
+  }
   mark_fresh(nodes);
 }
 
@@ -193,13 +210,14 @@ void Evaluator::run_occasional_passes(std::int64_t step, double time, double dt)
   }
 }
 
-void Evaluator::run(const Plan& plan, double time, double dt) {
+void Evaluator::run(const Plan& plan, double time, double dt, const std::vector<Span>* awake) {
+  runner_.begin(awake);
   if (attributes_changed_) runner_.find_uniform_fields();
   attributes_changed_ = false;
   for (std::size_t s = 0; s < plan.sweeps.size();) {
     const int iteration = plan.sweeps[s].iteration;
     if (iteration < 0) {
-      run_sweep(plan, s, time, dt);
+      run_sweep(plan, s, time, dt, awake);
       ++s;
       continue;
     }
@@ -211,26 +229,13 @@ void Evaluator::run(const Plan& plan, double time, double dt) {
     const bool each_alone = judged && converges_alone(plan, s, end);
     std::vector<Span> left;
     for (std::int64_t k = 0; k < std::max<std::int64_t>(1, judged ? it.maximum : 1); ++k) {
-      for (std::size_t q = s; q < end; ++q) run_sweep(plan, q, time, dt, k > 0 && each_alone ? &left : nullptr);
+      for (std::size_t q = s; q < end; ++q) run_sweep(plan, q, time, dt, k > 0 && each_alone ? &left : awake);
       if (!judged) break;
       left = unconverged(store_.data(graph_.name(it.residual)), it.tolerance);
       if (left.empty()) break;
     }
     s = end;
   }
-}
-
-bool Evaluator::converges_alone(const Plan& plan, std::size_t first, std::size_t last) const {
-  std::vector<int> read, written;
-  for (std::size_t s = first; s < last; ++s) {
-    if (plan.sweeps[s].global >= 0) return false;
-    for (const int n : plan.sweeps[s].nodes) {
-      for (const int f : graph_.particle_reads(n, true)) read.push_back(f);
-      for (const auto& w : graph_.nodes()[static_cast<std::size_t>(n)].writes) written.push_back(w.field);
-    }
-  }
-  return std::none_of(written.begin(), written.end(),
-                      [&](int f) { return std::find(read.begin(), read.end(), f) != read.end(); });
 }
 
 // Groups of particles, always the same ones whatever the chunks, in which some residual is above the tolerance.
@@ -250,6 +255,12 @@ std::vector<Span> Evaluator::unconverged(const double* residual, double toleranc
   return left;
 }
 
+void Evaluator::bring_lists() {
+  if (lists_current_) return;
+  if (neighbourhood_.prepare()) std::fill(images_current_.begin(), images_current_.end(), 0);
+  lists_current_ = true;
+}
+
 void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, double dt, const std::vector<Span>* only) {
   const Sweep& sweep = plan.sweeps[index];
   const double start = now();
@@ -262,10 +273,9 @@ void Evaluator::run_sweep(const Plan& plan, std::size_t index, double time, doub
   }
   // A global pass may look at images, which are made with the lists.
   pairs = pairs || (sweep.global >= 0 && smoothing_length_ >= 0 && store_.find("smoothing_length") != nullptr);
-  if (pairs && !lists_current_) {
-    if (neighbourhood_.prepare()) std::fill(images_current_.begin(), images_current_.end(), 0);
-    lists_current_ = true;
-  }
+  if (pairs) bring_lists();
+  if (!sweep.groups.empty() && !same_images_as_last_time(sweep)) only = nullptr;
+  if (only != nullptr && only->empty() && sweep.global < 0) return;
   auto& image_fields = image_fields_[&sweep];
   if (image_fields.empty() && (!sweep.groups.empty() || sweep.global >= 0)) {
     for (const int n : sweep.nodes) {

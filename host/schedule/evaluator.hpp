@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/schedule/neighbourhood.hpp"
+#include "host/schedule/resting.hpp"
 #include "host/schedule/runner.hpp"
 
 namespace riffle {
@@ -52,8 +53,12 @@ class Evaluator {
   [[nodiscard]] double sweep_seconds() const { return sweep_seconds_; }
 
  private:
-  void run(const Plan& plan, double time, double dt);
+  // `awake`: the only particles that it must be run for; nullptr: all.
+  void run(const Plan& plan, double time, double dt, const std::vector<Span>* awake = nullptr);
   void run_sweep(const Plan& plan, std::size_t index, double time, double dt, const std::vector<Span>* only = nullptr);
+  void bring_lists();
+  [[nodiscard]] bool may_rest(const Plan& plan) const;
+  bool same_images_as_last_time(const Sweep& sweep);
   [[nodiscard]] bool converges_alone(const Plan& plan, std::size_t first, std::size_t last) const;
   [[nodiscard]] std::vector<Span> unconverged(const double* residual, double tolerance) const;
   const Plan& plan_for(const std::vector<int>& nodes);
@@ -75,6 +80,9 @@ class Evaluator {
   bool attributes_changed_ = false;
   std::map<std::vector<int>, std::unique_ptr<Plan>> plans_;
   std::map<const Sweep*, std::vector<int>> image_fields_;
+  std::map<const Plan*, bool> may_rest_;
+  std::map<const Sweep*, std::vector<Image>> images_of_sweep_;
+  Resting resting_;
   std::vector<double> next_due_;
   bool lists_current_ = false;
   int position_ = -1, smoothing_length_ = -1;

@@ -41,11 +41,8 @@ struct LineGroup::Thread {
   AlignedArray counts;             // 1 where a pair is within reach, else 0
   std::vector<Call> calls;
   std::vector<Moving> moving;
+  std::vector<const double*> kept;  // arrays of layout.keeps
 };
-
-bool LineGroup::possible(const GroupLayout& layout) {
-  return layout.dim == 1 && layout.keeps.empty();
-}
 
 LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const NeighbourRequest& request,
                      const std::set<int>& written_before)
@@ -77,6 +74,14 @@ LineGroup::LineGroup(const Graph& graph, const GroupLayout& layout, const Neighb
 
 LineGroup::~LineGroup() = default;
 
+std::vector<const AlignedArray*> LineGroup::kept_of(int field) const {
+  std::vector<const AlignedArray*> components;
+  for (std::size_t q = 0; q < layout_.keeps.size(); ++q) {
+    if (layout_.keeps[q].field == field) components.push_back(&kept_.values()[q]);
+  }
+  return components;
+}
+
 int LineGroup::column_of(const Source& source) {
   const auto found = std::find(sources_.begin(), sources_.end(), source);
   const auto index = static_cast<int>(found - sources_.begin());
@@ -93,6 +98,7 @@ std::unique_ptr<LineGroup::Thread> LineGroup::make_thread() const {
   for (const auto& [array, value] : layout_.constants) {
     std::fill_n(local->arena.data() + static_cast<std::size_t>(array) * length, length, value);
   }
+  local->kept.resize(layout_.keeps.size());
   for (std::size_t r = 0; r < layout_.reductions.size(); ++r) local->sums.emplace_back(length);
   for (std::size_t c = 0; c < layout_.calls.size(); ++c) {
     auto& call = local->calls.emplace_back();
@@ -116,7 +122,8 @@ std::unique_ptr<LineGroup::Thread> LineGroup::make_thread() const {
 }
 
 void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& images, double kappa, int threads,
-                        const std::function<const double*(const Source&)>& source) {
+                        const std::function<const double*(const Source&)>& source, const std::vector<Span>* fresh,
+                        std::int64_t number) {
   const std::int64_t n = store.role_begin(1), owned = store.owned();
   const double* x = store.data("position");
   std::vector<std::int64_t> left, right;  // sources beyond the ends of the water, in ascending x
@@ -135,12 +142,18 @@ void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& im
   const bool same_ends = begin == begin_ && end == end_;  // then the dummies of the last sweep serve again
   begin_ = begin;
   end_ = end;
+  const bool some = fresh != nullptr && same_ends && prepared_ >= number - 1;
+  prepared_ = number;
   const auto fill = [&](int column, const double* values, bool position) {
     AlignedArray& array = columns_[static_cast<std::size_t>(column)];
     array.resize(static_cast<std::size_t>(end + margin));
     double* to = array.data();
     for (std::int64_t k = 0; k < on_left; ++k) to[begin + k] = values[left[static_cast<std::size_t>(k)]];
-    std::copy(values, values + n, to + start_);
+    if (some) {
+      for (const Span& span : *fresh) std::copy(values + span.first, values + span.last, to + start_ + span.first);
+    } else {
+      std::copy(values, values + n, to + start_);
+    }
     for (std::int64_t k = 0; k < on_right; ++k) to[start_ + n + k] = values[right[static_cast<std::size_t>(k)]];
     if (same_ends) return;
     std::fill(to, to + begin, position ? -far : values[0]);
@@ -151,36 +164,74 @@ void LineGroup::prepare(const ParticleStore& store, const std::vector<Image>& im
   if (layout_.approach) fill(u_column, store.data("velocity"), false);
   fill(reach_column, store.data("smoothing_length"), false);
   double* reach = columns_[reach_column].data();
+  const auto scale = [&](std::int64_t from, std::int64_t to) {
 #pragma omp simd
-  for (std::int64_t k = begin; k < end; ++k) reach[k] *= kappa;
+    for (std::int64_t k = from; k < to; ++k) reach[k] *= kappa;
+  };
+  if (some) {
+    scale(begin, start_);
+    for (const Span& span : *fresh) scale(start_ + span.first, start_ + span.last);
+    scale(start_ + n, end);
+  } else {
+    scale(begin, end);
+  }
   if (!same_ends) {  // dummies see nobody, not even each other
     std::fill(reach, reach + begin, -1.0);
     std::fill(reach + end, reach + end + margin, -1.0);
   }
-  if (reach_ != Reach::gather) find_edges();
+  if (reach_ != Reach::gather) {
+    if (!some) {
+      find_edges(begin_, end_);
+    } else {
+      if (on_left > 0) find_edges(begin_, start_);
+      if (!fresh->empty()) find_edges(start_ + fresh->front().first, start_ + fresh->back().last);
+      if (on_right > 0) find_edges(start_ + n, end_);
+    }
+  }
   for (std::size_t k = 0; k < sources_.size(); ++k)
     fill(first_column + static_cast<int>(k), source(sources_[k]), false);
   for (Late& late : late_) late.from = source(sources_[static_cast<std::size_t>(late.column - first_column)]);
   while (static_cast<int>(threads_.size()) < threads) threads_.push_back(make_thread());
+  if (layout_.keeps.empty()) return;
+  who_.resize(static_cast<std::size_t>(end + margin));
+  for (std::int64_t k = 0; k < on_left; ++k)
+    who_[static_cast<std::size_t>(begin + k)] = static_cast<std::int32_t>(left[static_cast<std::size_t>(k)]);
+  if (!same_ends) std::iota(who_.begin() + start_, who_.begin() + start_ + n, 0);
+  for (std::int64_t k = 0; k < on_right; ++k)
+    who_[static_cast<std::size_t>(start_ + n + k)] = static_cast<std::int32_t>(right[static_cast<std::size_t>(k)]);
+  kept_.prepare(owned, layout_.keeps.size(), static_cast<std::size_t>(threads));
 }
 
 // How far those at k and beyond reach back, a little more than exactly: where a walk ends must not decide whether a pair
-// counts that rounding puts on one side of the reach or on the other.
-void LineGroup::find_edges() {
+// counts that rounding puts on one side of the reach or on the other. Of [first, last) in the columns, and as far beyond as
+// that makes a difference.
+void LineGroup::find_edges(std::int64_t first, std::int64_t last) {
   const double *x = columns_[x_column].data(), *reach = columns_[reach_column].data();
-  for (AlignedArray* edge : {&edge_right_, &edge_left_}) edge->resize(columns_[x_column].size());
-  double *right = edge_right_.data(), *left = edge_left_.data();
   const auto edge = [&](std::int64_t k, double side) {
     return side * x[k] - reach[k] - 1e-9 * reach[k] - 1e-15 * std::abs(x[k]);
   };
   constexpr double nobody = std::numeric_limits<double>::infinity();
-  std::fill(right + end_, right + end_ + margin, nobody);
-  std::fill(left, left + begin_, nobody);
-  double least = nobody;
-  for (std::int64_t k = end_; k-- > 0;) right[k] = least = k < begin_ ? least : std::min(least, edge(k, 1));
-  least = nobody;
-  for (std::int64_t k = begin_; k < end_ + margin; ++k)
-    left[k] = least = k >= end_ ? least : std::min(least, edge(k, -1));
+  const bool all = first == begin_ && last == end_;
+  if (all) {
+    for (AlignedArray* edges : {&edge_right_, &edge_left_}) edges->resize(columns_[x_column].size());
+    std::fill(edge_right_.data() + end_, edge_right_.data() + end_ + margin, nobody);
+    std::fill(edge_left_.data(), edge_left_.data() + begin_, nobody);
+  }
+  double *right = edge_right_.data(), *left = edge_left_.data();
+  double least = right[last];
+  for (std::int64_t k = last; k-- > first;) right[k] = least = std::min(least, edge(k, 1));
+  for (std::int64_t k = first; k-- > 0;) {
+    const double now = k < begin_ ? least : std::min(least, edge(k, 1));
+    if (!all && right[k] == now) break;
+    right[k] = least = now;
+  }
+  least = first > 0 ? left[first - 1] : nobody;
+  for (std::int64_t k = first; k < last; ++k) left[k] = least = std::min(least, edge(k, -1));
+  for (std::int64_t k = last; k < end_ + margin; ++k) {
+    const double now = k >= end_ ? least : std::min(least, edge(k, -1));
+    if (!all && left[k] == now) break;
+    left[k] = least = now;
+  }
 }
 
 void LineGroup::point(Thread& local, std::int64_t i, std::int64_t j) const {
@@ -272,6 +323,7 @@ GroupFailure LineGroup::run(std::int64_t first, std::int64_t last, int thread, d
         if (reduction.with_self) std::copy_n(array(reduction.array), n, local.sums[q].data());
       }
     }
+    if (!layout_.keeps.empty()) kept_.begin_rows(b, count);
     const double *x = columns_[x_column].data(), *u = layout_.approach ? columns_[u_column].data() : nullptr;
     const double* reach = columns_[reach_column].data();
     double* counts = local.counts.data();
@@ -307,6 +359,10 @@ GroupFailure LineGroup::run(std::int64_t first, std::int64_t last, int thread, d
         if (count_of.within == 0) continue;
         const bool all = count_of.within == static_cast<double>(n);
         if (!evaluate(local, i, j, n, b, time, dt, failure)) return failure;
+        if (!layout_.keeps.empty()) {
+          for (std::size_t q = 0; q < layout_.keeps.size(); ++q) local.kept[q] = array(layout_.keeps[q].array);
+          kept_.add(static_cast<std::size_t>(thread), b, count, all ? nullptr : counts, who_.data() + j, local.kept);
+        }
         for (std::size_t q = 0; q < layout_.reductions.size(); ++q) {
           const Reduction& reduction = layout_.reductions[q];
           const double* f = array(reduction.array);

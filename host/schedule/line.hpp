@@ -16,7 +16,9 @@
 
 #include "host/schedule/group_failure.hpp"
 #include "host/schedule/images.hpp"
+#include "host/schedule/kept_rows.hpp"
 #include "host/schedule/layout.hpp"
+#include "host/schedule/span.hpp"
 
 namespace riffle {
 
@@ -27,17 +29,23 @@ class LineGroup {
             const std::set<int>& written_before);
   ~LineGroup();
 
-  // What a group must not have to be run on a line: pair fields that are kept for the whole list.
-  [[nodiscard]] static bool possible(const GroupLayout& layout);
+  [[nodiscard]] static bool possible(const GroupLayout& layout) { return layout.dim == 1; }
 
   // Copies the columns that the group reads into the order of the line. `source`: the particle array of a Source.
+  // `fresh`: the only particles whose values have changed since evaluation `number` - 1; nullptr: who knows.
   void prepare(const ParticleStore& store, const std::vector<Image>& images, double kappa, int threads,
-               const std::function<const double*(const Source&)>& source);
+               const std::function<const double*(const Source&)>& source, const std::vector<Span>* fresh,
+               std::int64_t number);
 
   // All passes of the group for the water particles [first, last). `field`: where a reduction goes. Returns the first
   // failure, if any.
   GroupFailure run(std::int64_t first, std::int64_t last, int thread, double time, double dt,
                    const std::function<double*(const Reduction&)>& field);
+
+  // Pair fields that the group keeps. After all of run(), finish_kept() makes the rows whole.
+  void finish_kept() { kept_.finish(); }
+  [[nodiscard]] const KeptRows& kept() const { return kept_; }
+  [[nodiscard]] std::vector<const AlignedArray*> kept_of(int field) const;  // component by component
 
  private:
   struct Thread;
@@ -50,7 +58,7 @@ class LineGroup {
     int to, column;
   };
   int column_of(const Source& source);
-  void find_edges();
+  void find_edges(std::int64_t first, std::int64_t last);
   std::unique_ptr<Thread> make_thread() const;
   void point(Thread& local, std::int64_t i, std::int64_t j) const;
   bool evaluate(Thread& local, std::int64_t i, std::int64_t j, std::int64_t n, std::int64_t first, double time,
@@ -74,6 +82,9 @@ class LineGroup {
   };
   std::vector<Late> late_;  // columns of fields that the sweep itself has just written
   std::vector<std::unique_ptr<Thread>> threads_;
+  std::int64_t prepared_ = -2;  // number of the evaluation that the columns were last copied for
+  KeptRows kept_;
+  std::vector<std::int32_t> who_;  // per column index: the particle or image that stands there; only with keeps
 };
 
 }  // namespace riffle

@@ -104,15 +104,9 @@ void Runner::find_uniform_fields() {
     uniform_[f] = uniform ? 1 : 0;
     uniform_value_[f] = values[0];
   }
-  if (changed) compiled_.clear();
-}
-
-double* Runner::component(int field, int component) const {
-  return field_[static_cast<std::size_t>(field)]->component[static_cast<std::size_t>(component)].data();
-}
-
-const double* Runner::source(const Source& s) const {
-  return s.inverse_length ? inverse_l_.data() : component(s.field, s.component);
+  if (!changed) return;
+  compiled_.clear();
+  kept_on_line_.clear();
 }
 
 // The pass that writes a field first overwrites it, later contributors add. Where passes for different roles overlap
@@ -183,24 +177,6 @@ Runner::Compiled& Runner::compile(const Plan& plan, std::size_t index) {
   return *slot;
 }
 
-void Runner::clear(int field, std::uint32_t roles) {
-  for (auto& array : field_[static_cast<std::size_t>(field)]->component) {
-    for (int role = 0; role < role_count; ++role) {
-      if ((roles & 1u << role) != 0)
-        std::fill(array.data() + store_.role_begin(role), array.data() + store_.role_begin(role + 1), 0.0);
-    }
-  }
-}
-
-void Runner::fail(const PassNode& failed, const std::string& message) {
-#pragma omp critical(riffle_runner_failure)
-  {
-    const auto& plugin = graph_.plugins()[static_cast<std::size_t>(failed.plugin)];
-    std::string line = plugin.kind + " " + failed.label + ": " + message;
-    if (failure_.empty() || line < failure_) failure_ = std::move(line);
-  }
-}
-
 void Runner::run_group(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt) {
   const GroupFailure failure =
       group.on_a_line ? group.line->run(first, last, thread, time, dt,
@@ -243,6 +219,7 @@ void Runner::run_global(const PassNode& called, const ListProvider& lists, const
                         double time, double dt) {
   Tables tables;
   const PassNode* keeper = nullptr;  // the list is that of the pass whose pair fields are read
+  const LineGroup* line = nullptr;   // or that of the line
   for (const auto& read : called.reads) {
     auto& row = tables.next_in();
     if (read.field < 0) continue;
@@ -250,7 +227,12 @@ void Runner::run_global(const PassNode& called, const ListProvider& lists, const
       for (auto& array : field_[static_cast<std::size_t>(read.field)]->component) row.push_back(array.data());
     } else {
       keeper = &node(graph_.fields()[static_cast<std::size_t>(read.field)].writers.front());
-      for (auto& array : kept_.at(read.field)) row.push_back(array.data());
+      line = kept_on_line_.at(read.field);
+      if (line == nullptr) {
+        for (auto& array : kept_.at(read.field)) row.push_back(array.data());
+      } else {
+        for (const auto* array : line->kept_of(read.field)) row.push_back(array->data());
+      }
     }
   }
   for (const auto& w : called.writes) {
@@ -266,7 +248,11 @@ void Runner::run_global(const PassNode& called, const ListProvider& lists, const
   }
   std::vector<std::int64_t> counts;
   riffle_pairs pairs{sizeof(riffle_pairs), 0, store_.owned(), store_.all(), nullptr, nullptr, nullptr, origins.data()};
-  if (keeper != nullptr) {
+  if (line != nullptr) {
+    pairs.begin = line->kept().begin().data();
+    pairs.count = line->kept().count().data();
+    pairs.neighbour = line->kept().neighbour().data();
+  } else if (keeper != nullptr) {
     const NeighbourList& list = lists.list({keeper->reach, keeper->targets, keeper->sources});
     counts.assign(list.count.begin(), list.count.end());
     pairs.begin = list.begin.data();
@@ -288,11 +274,13 @@ void Runner::prepare(Group& group, const ListProvider& lists, const std::vector<
   if (group.on_a_line) {
     if (group.line == nullptr)
       group.line = std::make_unique<LineGroup>(graph_, group.layout, group.request, group.written_before);
-    group.line->prepare(store_, images, lists.kappa(), threads, from);
+    group.line->prepare(store_, images, lists.kappa(), threads, from, fresh_, evaluation_);
+    for (const Keep& keep : group.layout.keeps) kept_on_line_[keep.field] = group.line.get();
     return;
   }
   const NeighbourList& list = lists.list(group.request);
   for (const Keep& keep : group.layout.keeps) {
+    kept_on_line_[keep.field] = nullptr;
     auto& arrays = kept_[keep.field];
     if (arrays.size() <= static_cast<std::size_t>(keep.component))
       arrays.resize(static_cast<std::size_t>(keep.component) + 1);
@@ -317,14 +305,7 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
   }
   Compiled& compiled = compile(plan, index);
   const int threads = omp_get_max_threads();
-  const auto n_all = static_cast<std::size_t>(store_.all() + 1);
-  const bool pairs = !compiled.groups.empty();
-  if (pairs) {
-    if (inverse_l_.size() < n_all) inverse_l_.resize(n_all);
-    const double* l = store_.data("smoothing_length");
-#pragma omp parallel for simd schedule(static)
-    for (std::int64_t i = 0; i < store_.all(); ++i) inverse_l_.data()[i] = 1.0 / l[i];
-  }
+  if (!compiled.groups.empty()) invert_lengths();
   for (auto& group : compiled.groups) prepare(group, lists, images, threads);
   std::vector<Span> chunks;
   if (only != nullptr && compiled.zero_fields.empty()) {
@@ -356,6 +337,9 @@ void Runner::run(const Plan& plan, std::size_t index, const ListProvider& lists,
         }
       }
     }
+  }
+  for (auto& group : compiled.groups) {
+    if (group.on_a_line && !group.layout.keeps.empty()) group.line->finish_kept();
   }
   for (const auto& group : sweep.groups) {
     for (const int n : group.nodes) {

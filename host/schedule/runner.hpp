@@ -15,6 +15,7 @@
 #include "host/schedule/layout.hpp"
 #include "host/schedule/plan.hpp"
 #include "host/schedule/run_error.hpp"
+#include "host/schedule/span.hpp"
 
 namespace riffle {
 
@@ -23,11 +24,7 @@ struct RunnerOptions {
   std::int64_t block = 0;    // pairs; 0: what fits the cache
 };
 
-// Owned particles [first, last) of one role, given as a bit.
-struct Span {
-  std::int64_t first, last;
-  std::uint32_t role;
-};
+class LineGroup;
 
 // Where the lists come from; the neighbourhood implements it.
 class ListProvider {
@@ -46,6 +43,12 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
+  // An evaluation begins: several sweeps. `fresh`: the only particles of which anything has changed or will since the
+  // evaluation before; nullptr: all.
+  void begin(const std::vector<Span>* fresh) {
+    fresh_ = fresh;
+    ++evaluation_;
+  }
   // Runs one sweep, over all particles or some. Images of what it reads of neighbours must be current. Throws RunError
   // naming plugin and pass.
   void run(const Plan& plan, std::size_t sweep, const ListProvider& lists, const std::vector<Image>& images,
@@ -54,7 +57,6 @@ class Runner {
   double vote(const GraphVote& vote, double time, double dt);
   // Attribute fields with one value for all particles need no gather; call when attributes have changed.
   void find_uniform_fields();
-  [[nodiscard]] const std::vector<AlignedArray>& kept(int field) const { return kept_.at(field); }
 
  private:
   struct Group;
@@ -63,6 +65,7 @@ class Runner {
   std::set<std::pair<int, int>> who_overwrites(const Plan& plan, std::size_t index,
                                                std::vector<int>& zero_fields) const;
   void prepare(Group& group, const ListProvider& lists, const std::vector<Image>& images, int threads);
+  void invert_lengths();
   void run_group(Group& group, std::int64_t first, std::int64_t last, int thread, double time, double dt);
   void clear(int field, std::uint32_t roles);
   void check_signs(const PassNode& writer, std::int64_t first, std::int64_t last);
@@ -83,8 +86,11 @@ class Runner {
   std::vector<double> uniform_value_;
   std::vector<Field*> field_;  // of the store, by graph index; nullptr for per-pair fields
   std::map<std::pair<const Plan*, std::size_t>, std::unique_ptr<Compiled>> compiled_;
-  std::map<int, std::vector<AlignedArray>> kept_;
+  std::map<int, std::vector<AlignedArray>> kept_;  // per field, component by component, in the order of the list
+  std::map<int, const LineGroup*> kept_on_line_;   // or who holds them, where the line made them; else nullptr
   AlignedArray inverse_l_;
+  const std::vector<Span>* fresh_ = nullptr;
+  std::int64_t evaluation_ = 0, inverted_ = -2;  // numbers: of this evaluation, and of the last that formed inverse_l_
   std::string failure_;
 };
 

@@ -9,6 +9,7 @@
 // energy is kept. Ghost particles after Diwakar & Mohapatra (2023), fig. 1a, free slip.
 // Not in it: friction and no slip; moving or oblique walls; second images in a domain narrower than a particle's reach.
 #include <algorithm>
+#include <limits>
 #include <riffle/sdk.hpp>
 #include <string>
 #include <vector>
@@ -109,17 +110,26 @@ struct MirrorWall {
                                  std::size_t images) {
     const double* x = e.read(e.context, "position", wall.axis);
     const auto inside = [&](std::int64_t k) { return e.role[k] == RIFFLE_FLUID || wall.distance(x[k]) >= 0; };
-    double zone = 0, bound = 0;
     const double position = wall.position, inward = wall.inward;
-#ifndef __clang__  // which cannot vectorise a largest value, and warns
-#pragma omp simd reduction(max : zone, bound)
+    constexpr std::int64_t run = 512;              // most are far from it: whole runs of them are passed over at once
+    std::vector<std::pair<double, double>> looks;  // of each run: the least distance, the largest reach
+    double zone = 0, bound = 0;
+    for (std::int64_t first = 0; first < e.count; first += run) {
+      const std::int64_t last = std::min(first + run, e.count);
+      double least = std::numeric_limits<double>::infinity(), largest = 0;
+#ifndef __clang__  // which cannot vectorise a least or largest value, and warns
+#pragma omp simd reduction(min : least) reduction(max : largest)
 #endif
-    for (std::int64_t k = 0; k < e.count; ++k) {
-      const double distance = inward * (x[k] - position), past = e.reach[k] - distance;
-      const bool counts = (e.role[k] == RIFFLE_FLUID) | (distance >= 0);
-      const double counted = counts ? past : 0.0;
-      zone = counted > zone ? counted : zone;
-      bound = e.reach[k] > bound ? e.reach[k] : bound;
+      for (std::int64_t k = first; k < last; ++k) {
+        const double distance = inward * (x[k] - position);
+        least = distance < least ? distance : least;
+        largest = e.reach[k] > largest ? e.reach[k] : largest;
+      }
+      looks.emplace_back(least, largest);
+      bound = std::max(bound, largest);
+      for (std::int64_t k = first; least < largest && k < last; ++k) {
+        if (inside(k)) zone = std::max(zone, e.reach[k] - wall.distance(x[k]));
+      }
     }
     bound = std::max(bound, zone);
     std::vector<Image> found;
@@ -128,14 +138,10 @@ struct MirrorWall {
       if (e.role[k] == RIFFLE_PROBE || !inside(k)) return;
       if (wall.distance(x[k]) < std::max(zone, e.reach[k])) found.push_back(candidate);
     };
-    constexpr std::int64_t run = 512;  // most are far from it: whole runs of them are passed over at once
     for (std::int64_t first = 0; first < e.count; first += run) {
-      const std::int64_t last = std::min(first + run, e.count);
-      std::int64_t near_it = 0;
-#pragma omp simd reduction(+ : near_it)
-      for (std::int64_t k = first; k < last; ++k) near_it += inward * (x[k] - position) < bound ? 1 : 0;
-      for (std::int64_t k = first; near_it > 0 && k < last; ++k) {
-        if (inward * (x[k] - position) < bound) add({k, k});
+      if (looks[static_cast<std::size_t>(first / run)].first >= bound) continue;
+      for (std::int64_t k = first; k < std::min(first + run, e.count); ++k) {
+        if (wall.distance(x[k]) < bound) add({k, k});
       }
     }
     for (std::size_t m = 0; m < images; ++m) add(made[m]);

@@ -21,6 +21,7 @@ struct Chezy {
       riffle::real("coefficient", "m1/2.s-1", 50, 0, 1e4,
                    "Chezy's C: 30 for gravel, 50 for earth, 80 for smooth concrete, 100 for glass", RIFFLE_ABOVE_MIN),
       riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN)};
+  static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
   static constexpr riffle_read reads[] = {riffle::at_i(f::velocity), riffle::at_i(f::depth)};
   static constexpr riffle_write writes[] = {riffle::sum(f::drag_rate)};
 

@@ -21,6 +21,7 @@ struct DarcyWeisbach {
 
   static constexpr riffle_parameter parameters[] = {riffle::real(
       "friction_factor", "1", 0.03, 0, 100, "f: 0.015 for smooth walls, 0.03 for concrete, 0.1 for gravel")};
+  static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
   static constexpr riffle_read reads[] = {riffle::at_i(f::velocity), riffle::at_i(f::depth)};
   static constexpr riffle_write writes[] = {riffle::sum(f::drag_rate)};
 

@@ -23,6 +23,7 @@ struct Manning {
       riffle::real("roughness", "s.m-1/3", 0.03, 0, 1,
                    "Manning's n: 0.01 for glass, 0.013 for concrete, 0.03 for gravel"),
       riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN)};
+  static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
   static constexpr riffle_read reads[] = {riffle::at_i(f::velocity), riffle::at_i(f::depth)};
   static constexpr riffle_write writes[] = {riffle::sum(f::drag_rate)};
 

@@ -13,11 +13,13 @@
 // Single terms are not invariant under a moving frame, and B3 without B1 is backward diffusion wherever the flow expands.
 // With eta = 1 and the cubic spline it is cheapest and best. Not in it: slope and curvature of the bed in the vertical
 // acceleration (hydrostatic forces of a bed are); friction acts outside the solve. Where it fails: dam breaks of depth ratio 0.3 and below without `breaking`; water of very different volumes side by side.
+#include <algorithm>
 #include <cmath>
 #include <riffle/dispersion_system.hpp>
 #include <riffle/variational_shallow.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace f = riffle::fields;
 namespace v = riffle::variational;
@@ -44,6 +46,8 @@ struct Serre {
       riffle::real("threshold", "1", 0.001, 0, 10,
                    "where-needed: ratio 2 |d2h/dt2| / (3 g) above which the terms act; 0.01 is coarser"),
       riffle::real("buffer", "1", 2, 0, 1000, "where-needed: depths by which that region is widened"),
+      riffle::real("rest", "1", 1e-8, 0, 1e-3,
+                   "where-needed: water at rest stays so, and costs nothing, below this acceleration over g"),
       riffle::choice("breaking", "off|on", "off",
                      "on: hydrostatic, and more viscous, where water rises too fast, as in a bore that breaks"),
       riffle::real("breaking_start", "1", 0.5, 0, 10, "dh/dt over sqrt(g h) at which water begins to break"),
@@ -70,11 +74,12 @@ struct Serre {
   static constexpr riffle_field entry =
       riffle::scalar_field("depth_gradient", "1", "-dh_i / dx_j of a neighbour", RIFFLE_PER_PAIR);
   static constexpr riffle_field diagonal = riffle::scalar_field("own_depth_gradient", "1", "dh_i / dx_i");
-  static constexpr riffle_field rise = riffle::scalar_field("depth_rate_sum", "m.s-1", "Omega dh/dt");
-  static constexpr riffle_field a_tt = riffle::scalar_field("sum_tt", "m.s-2", "sum V W_xx u_ij^2");
-  static constexpr riffle_field a_tl = riffle::scalar_field("sum_tl", "s-1", "sum V W_xl u_ij");
-  static constexpr riffle_field a_l = riffle::scalar_field("sum_l", "1", "sum V W_l");
-  static constexpr riffle_field a_ll = riffle::scalar_field("sum_ll", "m-1", "sum V W_ll");
+  static constexpr riffle_field s_own = riffle::scalar_field("sum_own", "1", "sum V W_x");
+  static constexpr riffle_field s_rise = riffle::scalar_field("sum_rise", "m.s-1", "sum V W_x u_ij");
+  static constexpr riffle_field s_tt = riffle::scalar_field("sum_tt", "m.s-2", "sum V W_xx u_ij^2");
+  static constexpr riffle_field s_tr = riffle::scalar_field("sum_tr", "m.s-1", "sum V (2 W_x + x_ij W_xx) u_ij");
+  static constexpr riffle_field s_r = riffle::scalar_field("sum_r", "m", "sum V r W_r");
+  static constexpr riffle_field s_rr = riffle::scalar_field("sum_rr", "m", "sum V r^2 W_rr");
   static constexpr riffle_field u_xx = riffle::scalar_field("velocity_curvature", "m.s-1", "depth times u_xx");
   static constexpr riffle_field depth_rate = riffle::scalar_field("depth_rate", "m.s-1", "dh/dt following the water");
   static constexpr riffle_field source_term =
@@ -102,6 +107,8 @@ struct Serre {
   struct Gradients {  // row i of D, but for its diagonal
     static constexpr auto pass_name = "gradients of depth";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
+    static constexpr std::uint32_t neighbours = RIFFLE_EITHER;  // as momentum, so that they share its pairs
     static constexpr auto when = dispersive;
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::pair(f::separation),
                                             riffle::at_i(f::kernel_gradient), riffle::at_i(v::pressure_factor),
@@ -112,53 +119,37 @@ struct Serre {
       RIFFLE_EACH(k, b) b.out(0)[k] = volume[k] * gradient[k] * factor[k] * dx[k] * side_j[k];
     }
   };
-  struct Rise {
-    static constexpr auto pass_name = "divergence";
+  // All derivatives of A = sum V W in time and l follow from those in r, because W is 1 / l times a shape of r / l:
+  // W_l = -(W + r W_r) / l,  W_rl = -(2 W_r + r W_rr) / l,  W_ll = (2 W + 4 r W_r + r^2 W_rr) / l^2.
+  struct Derivatives {
+    static constexpr auto pass_name = "derivatives of depth";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr std::uint32_t neighbours = RIFFLE_EITHER;  // as momentum, so that they share its pairs
     static constexpr auto when = dispersive;
-    static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::pair(f::separation),
-                                            riffle::pair(f::approach), riffle::at_i(f::kernel_gradient),
-                                            riffle::at_i(v::pressure_factor)};
-    static constexpr riffle_write writes[] = {riffle::sum(diagonal), riffle::sum(rise)};
+    static constexpr riffle_read reads[] = {riffle::at_j(f::volume),          riffle::difference(f::velocity),
+                                            riffle::pair(f::separation),      riffle::pair(f::distance_squared),
+                                            riffle::at_i(f::kernel_gradient), riffle::at_i(f::kernel_drr)};
+    static constexpr riffle_write writes[] = {riffle::sum(s_own), riffle::sum(s_rise), riffle::sum(s_tt),
+                                              riffle::sum(s_tr),  riffle::sum(s_r),    riffle::sum(s_rr)};
     static void run(const Serre&, const riffle::Block& b) {
-      const double *volume = b.in(0), *dx = b.in(1), *approach = b.in(2), *gradient = b.in(3), *factor = b.in(4);
-      double *own = b.out(0), *rate = b.out(1);
+      const double *volume = b.in(0), *du = b.in(1), *dx = b.in(2), *r2 = b.in(3), *gradient = b.in(4), *w_rr = b.in(5);
+      double *own = b.out(0), *rise = b.out(1), *tt = b.out(2), *tr = b.out(3), *first = b.out(4), *second = b.out(5);
       RIFFLE_EACH(k, b) {
-        const double w = volume[k] * gradient[k] * factor[k];
-        own[k] = w * dx[k];
-        rate[k] = w * approach[k];
-      }
-    }
-  };
-  struct Second {
-    static constexpr auto pass_name = "second derivatives of depth";
-    static constexpr auto pass_type = RIFFLE_PASS_PAIR;
-    static constexpr std::uint32_t neighbours = RIFFLE_EITHER;  // as momentum, so that they share its pairs
-    static constexpr std::uint32_t pass_flags = RIFFLE_WITH_SELF;
-    static constexpr auto when = dispersive;
-    static constexpr riffle_read reads[] = {riffle::at_j(f::volume),      riffle::difference(f::velocity),
-                                            riffle::pair(f::separation),  riffle::at_i(f::kernel_drr),
-                                            riffle::at_i(f::kernel_drdl), riffle::at_i(f::kernel_dl),
-                                            riffle::at_i(f::kernel_dldl)};
-    static constexpr riffle_write writes[] = {riffle::sum(a_tt), riffle::sum(a_tl), riffle::sum(a_l),
-                                              riffle::sum(a_ll)};
-    static void run(const Serre&, const riffle::Block& b) {
-      const double *volume = b.in(0), *du = b.in(1), *dx = b.in(2), *w_rr = b.in(3), *w_rl = b.in(4), *w_l = b.in(5);
-      const double* w_ll = b.in(6);
-      double *tt = b.out(0), *tl = b.out(1), *l = b.out(2), *ll = b.out(3);
-      RIFFLE_EACH(k, b) {
-        const double along = dx[k] < 0 ? -du[k] : du[k];
-        tt[k] = volume[k] * w_rr[k] * du[k] * du[k];
-        tl[k] = volume[k] * w_rl[k] * along;
-        l[k] = volume[k] * w_l[k];
-        ll[k] = volume[k] * w_ll[k];
+        const double slope = volume[k] * gradient[k], bend = volume[k] * w_rr[k], approach = du[k] * dx[k];
+        own[k] = slope * dx[k];
+        rise[k] = slope * approach;
+        tt[k] = bend * du[k] * du[k];
+        tr[k] = (2 * slope + bend) * approach;
+        first[k] = slope * r2[k];
+        second[k] = bend * r2[k];
       }
     }
   };
   struct Curvature {  // u_xx = 2 sum_j V_j / h u_ij F: only where B1 and B2 do not go together
     static constexpr auto pass_name = "curvature of velocity";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr auto when = "terms=B1+B3|B2+B3|B1|B2";
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::difference(f::velocity),
                                             riffle::at_i(f::kernel_gradient)};
@@ -171,29 +162,32 @@ struct Serre {
 
   struct Source {
     static constexpr auto pass_name = "rate of depth";
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr auto when = dispersive;
-    static constexpr riffle_read reads[] = {riffle::at_i(rise),
-                                            riffle::at_i(a_tt),
-                                            riffle::at_i(a_tl),
-                                            riffle::at_i(a_l),
-                                            riffle::at_i(a_ll),
+    static constexpr riffle_read reads[] = {riffle::at_i(s_own),
+                                            riffle::at_i(s_rise),
+                                            riffle::at_i(s_tt),
+                                            riffle::at_i(s_tr),
+                                            riffle::at_i(s_r),
+                                            riffle::at_i(s_rr),
                                             riffle::at_i(v::pressure_factor),
                                             riffle::at_i(f::depth),
-                                            riffle::at_i(f::smoothing_length),
                                             riffle::at_i(u_xx, RIFFLE_OPTIONAL),
                                             riffle::at_i(f::velocity)};
-    static constexpr riffle_write writes[] = {riffle::set(depth_rate), riffle::set(source_term)};
+    static constexpr riffle_write writes[] = {riffle::set(depth_rate), riffle::set(source_term), riffle::set(diagonal)};
     static void run(const Serre& s, const riffle::Block& b) {
-      const double *rate = b.in(0), *tt = b.in(1), *tl = b.in(2), *l1 = b.in(3), *l2 = b.in(4), *factor = b.in(5);
-      const double *h = b.in(6), *l = b.in(7), *u = b.in(9), *curvature = b.has(8) ? b.in(8) : nullptr;
-      double *dh = b.out(0), *source = b.out(1);
+      const double *own = b.in(0), *rise = b.in(1), *tt = b.in(2), *tr = b.in(3), *first = b.in(4), *second = b.in(5);
+      const double *factor = b.in(6), *h = b.in(7), *u = b.in(9);
+      const double* curvature = b.has(8) ? b.in(8) : nullptr;
+      double *dh = b.out(0), *source = b.out(1), *own_gradient = b.out(2);
       const double both = 0.5 * (s.t1 + s.t3), odd = s.t1 - s.t2;
       RIFFLE_EACH(k, b) {
-        const double hdot = rate[k], slope = -l[k] / h[k], ldot = slope * hdot;  // l h is constant
-        const double second = 2 * l[k] / (h[k] * h[k]);
-        const double q = factor[k] * (tt[k] + 2 * tl[k] * ldot + l2[k] * ldot * ldot + l1[k] * second * hdot * hdot);
+        const double hdot = factor[k] * rise[k], rate = hdot / h[k];  // dl/dt = -l rate: l h is constant
+        const double a_l = -(h[k] + first[k]), a_ll = 2 * h[k] + 4 * first[k] + second[k];  // times l, l^2
+        const double q = factor[k] * (tt[k] + 2 * tr[k] * rate + (a_ll + 2 * a_l) * rate * rate);
         dh[k] = hdot;
         source[k] = both * q;
+        own_gradient[k] = factor[k] * own[k];
       }
       if (curvature != nullptr) RIFFLE_EACH(k, b) source[k] += odd * u[k] * curvature[k];
     }
@@ -202,6 +196,7 @@ struct Serre {
   struct Breaking {  // dissipation of a bore that breaks, in the form of v::Momentum
     static constexpr auto pass_name = "dissipation where water breaks";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+    static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
     static constexpr std::uint32_t neighbours = RIFFLE_EITHER;
     static constexpr auto when = "breaking=on";
     static constexpr riffle_read reads[] = {riffle::at_j(f::volume),
@@ -247,7 +242,8 @@ struct Serre {
                                             riffle::at_i(depth_rate),
                                             riffle::at_i(ratio, RIFFLE_PREVIOUS),
                                             riffle::at_i(active, RIFFLE_PREVIOUS),
-                                            riffle::at_i(breaks, RIFFLE_PREVIOUS)};
+                                            riffle::at_i(breaks, RIFFLE_PREVIOUS),
+                                            riffle::at_i(f::velocity)};
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration), riffle::set(vertical), riffle::set(ratio),
                                               riffle::set(active), riffle::set(breaks)};
     static void run(const Serre& s, const riffle::Block& b, const riffle_pairs& pairs);
@@ -261,7 +257,7 @@ struct Serre {
   };
   using passes =
       riffle::Passes<v::Start<Serre>, Sides, v::Section<Serre>, v::Support<Serre>, v::Momentum<Serre>,
-                     v::BedSlope<Serre>, Gradients, Rise, Second, Curvature, Source, Breaking, Solve, Hydrostatic>;
+                     v::BedSlope<Serre>, Gradients, Derivatives, Curvature, Source, Breaking, Solve, Hydrostatic>;
 
   using votes = riffle::Votes<v::Acoustic<Serre>>;
 
@@ -270,6 +266,7 @@ struct Serre {
         smoothing_ratio(values.number("smoothing_ratio")),
         threshold(values.number("threshold")),
         buffer(values.number("buffer")),
+        rest(values.number("rest")),
         start(values.number("breaking_start")),
         stop(values.number("breaking_stop")),
         alpha(values.number("breaking_alpha")),
@@ -288,57 +285,88 @@ struct Serre {
   }
   void connect(const riffle_services& services) { terrain = services; }
 
-  double gravity, smoothing_ratio, reference_width = 1, threshold, buffer, start, stop, alpha, beta;
+  double gravity, smoothing_ratio, reference_width = 1, threshold, buffer, rest, start, stop, alpha, beta;
   double t1 = 0, t2 = 0, t3 = 0;
   bool where_needed = false, breaking = false;
   riffle_services terrain{};
+};
+
+struct Work {
+  riffle::DispersionSystem system;
+  std::vector<char> quiet, on, broken, wide;
+  std::vector<double> product;
 };
 
 void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pairs& pairs) {
   const std::int64_t n = b.size();
   const double *entries = b.in(0), *own = b.in(1), *given = b.in(2), *source = b.in(3), *volume = b.in(4);
   const double *depth = b.in(5), *x = b.in(6), *rate = b.in(7), *before = b.in(8), *was_active = b.in(9);
-  const double* was_breaking = b.in(10);
+  const double *was_breaking = b.in(10), *u = b.in(11);
   double *acceleration = b.out(0), *vertical_out = b.out(1), *ratio_out = b.out(2), *active_out = b.out(3);
   double* breaks_out = b.out(4);
-  thread_local riffle::DispersionSystem system;
-  system.read(pairs, own, entries, n);
-  std::vector<char> on(static_cast<std::size_t>(n), 1);
+  const auto size = static_cast<std::size_t>(n);
+  thread_local Work kept;  // memory from call to call
+  Work& work = kept;
+  riffle::DispersionSystem& system = work.system;
+  // Water at rest whose acceleration is round-off, or nearly so: it stays at rest, to the last bit.
+  work.quiet.assign(size, 0);
+  char* quiet = work.quiet.data();
   if (s.where_needed) {
+    const double least = s.rest * s.gravity;
     for (std::int64_t i = 0; i < n; ++i) {
-      const double r =
-          was_active[i] > 0 ? before[i] : 2 * std::abs(system.row_times(i, given) + source[i]) / (3 * s.gravity);
-      on[static_cast<std::size_t>(i)] = r > s.threshold ? 1 : 0;
+      const bool still = (u[i] == 0) & (std::abs(source[i]) < least) & (std::abs(given[i]) < least);
+      quiet[i] = still ? 1 : 0;
     }
-    on = riffle::widened(on, x, depth, s.buffer);
   }
-  std::vector<char> broken(static_cast<std::size_t>(n), 0);
-  if (s.breaking) {
-    for (std::int64_t i = 0; i < n; ++i) {
+  system.read(pairs, own, entries, n, work.quiet);
+  work.on.assign(size, s.where_needed ? 0 : 1);
+  work.product.resize(size);
+  std::fill_n(breaks_out, n, 0.0);
+  const double to_ratio = 2 / (3 * s.gravity);
+  if (s.where_needed) system.multiply(given, work.product.data());
+  for (const auto& [first, last] : system.stretches()) {
+    char* on = work.on.data();
+    if (s.where_needed) {
+      const double* product = work.product.data();
+      for (std::int64_t i = first; i < last; ++i) {
+        const double r = was_active[i] > 0 ? before[i] : to_ratio * std::abs(product[i] + source[i]);
+        on[i] = r > s.threshold ? 1 : 0;
+      }
+      riffle::widen(on, x, depth, s.buffer, first, last, work.wide);
+    }
+    if (!s.breaking) continue;
+    for (std::int64_t i = first; i < last; ++i) {
       const double speed = rate[i] / std::sqrt(s.gravity * depth[i]);
-      broken[static_cast<std::size_t>(i)] = speed > (was_breaking[i] == 1 ? s.stop : s.start) ? 1 : 0;
+      breaks_out[i] = speed > (was_breaking[i] == 1 ? s.stop : s.start) ? 1 : 0;
     }
-    const std::vector<char> wide = riffle::widened(broken, x, depth, 1);
-    for (std::int64_t i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (wide[k] != 0) on[k] = 0;
-      breaks_out[i] = broken[k] != 0 ? 1 : wide[k] != 0 ? 0.999 : 0;  // only those that broke themselves go on breaking
+    work.broken.assign(size, 0);
+    for (std::int64_t i = first; i < last; ++i) work.broken[static_cast<std::size_t>(i)] = breaks_out[i] > 0 ? 1 : 0;
+    riffle::widen(work.broken.data(), x, depth, 1, first, last, work.wide);
+    for (std::int64_t i = first; i < last; ++i) {
+      if (work.broken[static_cast<std::size_t>(i)] == 0) continue;
+      on[i] = 0;
+      if (breaks_out[i] == 0) breaks_out[i] = 0.999;  // only those that broke themselves go on breaking
     }
-  } else {
-    std::fill_n(breaks_out, n, 0.0);
   }
 
-  const double* solved = system.solve(s.t1, on, volume, given, source);
+  const double* solved = system.solve(s.t1, work.on, volume, given, source);
   if (solved == nullptr)
     throw std::runtime_error(s.t3 != 0 && s.t1 == 0
                                  ? "terms with B3 but without B1 are ill-posed in expansion, and the flow has blown up"
                                  : "the matrix of the vertical acceleration is not positive definite: the depth or the "
                                    "gradients of it are no numbers any more");
-  for (std::int64_t i = 0; i < n; ++i) {
-    acceleration[i] += solved[i];
-    vertical_out[i] = system.row_times(i, solved) + source[i];
-    ratio_out[i] = 2 * std::abs(vertical_out[i]) / (3 * s.gravity);
-    active_out[i] = on[static_cast<std::size_t>(i)];
+  system.multiply(solved, vertical_out);
+  std::fill_n(ratio_out, n, 0.0);
+  std::fill_n(active_out, n, 0.0);
+  for (const auto& [first, last] : system.stretches()) {
+    const char* on = work.on.data();
+    for (std::int64_t i = first; i < last; ++i) {
+      const bool rests = quiet[i] != 0 && on[i] == 0;
+      acceleration[i] += rests ? 0.0 : solved[i];
+      vertical_out[i] = rests ? 0.0 : vertical_out[i] + source[i];
+      ratio_out[i] = to_ratio * std::abs(vertical_out[i]);
+      active_out[i] = on[i];
+    }
   }
 }
 

@@ -18,6 +18,7 @@ struct Monaghan {
                    "linear coefficient; 2 in the 2023 paper, 0.01-0.1 in weakly compressible flow"),
       riffle::real("beta", "1", 0.0, 0, 100, "quadratic coefficient, against interpenetration in strong shocks"),
       riffle::real("epsilon", "1", 0.01, 0, 1, "keeps mu finite at r = 0, in units of l squared", RIFFLE_ABOVE_MIN)};
+  static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
   static constexpr riffle_read reads[] = {riffle::pair(f::approach), riffle::pair(f::distance_squared),
                                           riffle::mean(f::smoothing_length), riffle::mean(f::wave_speed)};
   static constexpr riffle_write writes[] = {riffle::set(f::viscous_pressure)};

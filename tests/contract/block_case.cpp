@@ -46,8 +46,8 @@ void BlockCase::run(const Instance& instance, std::size_t first, std::size_t cou
                            dim_,
                            static_cast<std::int64_t>(count),
                            static_cast<std::int64_t>(first),
-                           0.5,
-                           0.001,
+                           time_,
+                           dt_,
                            in_tables.data(),
                            out_tables.data()};
   riffle_error error{sizeof(riffle_error), {}};

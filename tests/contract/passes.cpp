@@ -79,6 +79,16 @@ TEST_P(EveryPass, GivesTheSameBitsInAnyBlock) {
   EXPECT_EQ(whole.outputs(), parts.outputs());
 }
 
+TEST_P(EveryPass, DoesNotLookAtTheTimeWhereItSaysSo) {
+  if ((c.pass->flags & RIFFLE_STEADY) == 0) return;
+  const Instance instance(*c.loaded.plugin, c.dim);
+  BlockCase now = block(), later = block();
+  later.at(17, 0.3);
+  now.run(instance, 0, n);
+  later.run(instance, 0, n);
+  EXPECT_EQ(now.outputs(), later.outputs());
+}
+
 INSTANTIATE_TEST_SUITE_P(Passes, EveryPass, testing::ValuesIn(all_passes()), [](const auto& info) {
   std::string pass = info.param.pass->name;
   for (char& letter : pass) letter = std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';

@@ -172,7 +172,9 @@ enum { /* riffle_pass.flags */
   RIFFLE_WITH_SELF = 1u << 0,  /* pair passes: also the pair (i, i) with r = 0, as summation density needs */
   RIFFLE_INITIAL = 1u << 1,    /* runs once, at t = 0; what it writes are constant attributes of the particle */
   RIFFLE_OCCASIONAL = 1u << 2, /* runs between steps, every `every` steps or `interval` seconds (filters) */
-  RIFFLE_IF_PROVIDED = 1u << 3 /* dropped without error when a field it reads has no writer */
+  RIFFLE_IF_PROVIDED = 1u << 3, /* dropped without error when a field it reads has no writer */
+  RIFFLE_STEADY = 1u << 4 /* what it writes follows from what it reads alone, not from time, dt or memory: it need not run
+                             for particles around which nothing has changed */
 };
 
 typedef struct riffle_block {

@@ -91,6 +91,7 @@ class RadialKernel {
                    double* const* out) const {
     if (want == (RIFFLE_W | RIFFLE_F)) return both<dim>(n, r, inverse_l, out[0], out[1]);
     if (want == (RIFFLE_W | RIFFLE_W_L | RIFFLE_W_LL)) return in_l<dim>(n, r, inverse_l, out[0], out[2], out[5]);
+    if (want == (RIFFLE_F | RIFFLE_W_RR)) return in_r<dim>(n, r, inverse_l, out[1], out[3]);
     const auto w = [](double q) { return Kernel::template w<dim>(q); };
     const auto w1 = [](double q) { return Kernel::template w1<dim>(q); };
     const auto w2 = [](double q) { return Kernel::template w2<dim>(q); };
@@ -115,6 +116,18 @@ class RadialKernel {
       const double a = inverse_l[k], q = r[k] * a, scale = sigma * raised<dim>(a);
       w[k] = scale * Kernel::template w<dim>(q);
       f[k] = scale * a * a * Kernel::template w1<dim>(q);
+    }
+  }
+
+  // The first two derivatives to r together, as the motion of a summation depth wants them.
+  template <int dim>
+  void in_r(std::int64_t n, const double* r, const double* inverse_l, double* f, double* w_rr) const {
+    const double sigma = sigma_;
+#pragma omp simd
+    for (std::int64_t k = 0; k < n; ++k) {
+      const double a = inverse_l[k], q = r[k] * a, scale = sigma * raised<dim + 2>(a);
+      f[k] = scale * Kernel::template w1<dim>(q);
+      w_rr[k] = scale * Kernel::template w2<dim>(q);
     }
   }
 

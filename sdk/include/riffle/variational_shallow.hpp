@@ -56,7 +56,7 @@ template <class Plugin>
 struct Section {
   static constexpr auto pass_name = "section";
   static constexpr auto pass_type = RIFFLE_PASS_PAIR;
-  static constexpr std::uint32_t pass_flags = RIFFLE_WITH_SELF;
+  static constexpr std::uint32_t pass_flags = RIFFLE_WITH_SELF | RIFFLE_STEADY;
   static constexpr auto iteration = "support";
   static constexpr riffle_read reads[] = {riffle::at_j(f::volume), riffle::at_i(f::kernel, RIFFLE_PREVIOUS),
                                           riffle::at_i(f::kernel_dl, RIFFLE_PREVIOUS),
@@ -78,6 +78,7 @@ struct Section {
 template <class Plugin>
 struct Support {
   static constexpr auto pass_name = "support";
+  static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
   static constexpr auto iteration = "support";
   static constexpr riffle_read reads[] = {riffle::at_i(section),
                                           riffle::at_i(section_dl),
@@ -100,7 +101,8 @@ struct Support {
       const double omega_old = 1 + old * sum_l[k] / (d * sum[k]);
       const double newton = -excess / (d * omega_old);
       const double flat = excess < 0 ? 0.3 : -0.25, bounded = newton < -0.5 ? -0.5 : newton > 1 ? 1.0 : newton;
-      const double x = omega_old > 0.05 ? bounded : flat, step = x * old;
+      const double wanted = omega_old > 0.05 ? bounded : flat;
+      const double x = wanted < 1e-13 && wanted > -1e-13 ? 0.0 : wanted, step = x * old;  // round-off: l stays as it is
       const double a = sum[k] + step * (sum_l[k] + 0.5 * step * sum_ll[k]), a_l = sum_l[k] + step * sum_ll[k];
       const double fresh = old + step;
       const double omega = 1 + fresh * a_l / (d * a), b_i = width != nullptr ? width[k] / s.reference_width : 1.0;
@@ -119,6 +121,7 @@ template <class Plugin>
 struct Momentum {
   static constexpr auto pass_name = "momentum";
   static constexpr auto pass_type = RIFFLE_PASS_PAIR;
+  static constexpr std::uint32_t pass_flags = RIFFLE_STEADY;
   static constexpr std::uint32_t neighbours = RIFFLE_EITHER;
   static constexpr riffle_read reads[] = {riffle::at_j(f::volume),
                                           riffle::pair(f::separation),
@@ -155,7 +158,7 @@ struct Momentum {
 template <class Plugin>
 struct BedSlope {
   static constexpr auto pass_name = "bed slope";
-  static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED;
+  static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED | RIFFLE_STEADY;
   static constexpr riffle_read reads[] = {riffle::at_i(f::smoothed_bed_slope)};
   static constexpr riffle_write writes[] = {riffle::sum(Plugin::force)};
   static void run(const Plugin& s, const riffle::Block& b) {
@@ -170,7 +173,7 @@ struct BedSlope {
 template <class Plugin>
 struct SideWalls {
   static constexpr auto pass_name = "pressure of the side walls";
-  static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED;
+  static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED | RIFFLE_STEADY;
   static constexpr riffle_read reads[] = {riffle::at_i(f::depth), riffle::at_i(f::channel_width),
                                           riffle::at_i(f::width_slope)};
   static constexpr riffle_write writes[] = {riffle::sum(Plugin::force)};
