@@ -72,9 +72,9 @@ bool ModelNotes::keeps_term(const std::string& term) const {
   return std::find(keeps.begin(), keeps.end(), term) != keeps.end();
 }
 
-std::vector<ModelNotes> known_models(const Registry& registry) {
+std::vector<ModelNotes> known_models(const PluginCatalogue& catalogue) {
   std::vector<ModelNotes> models;
-  for (const PluginDescription* plugin : registry.all()) {
+  for (const PluginDescription* plugin : catalogue.all()) {
     if (plugin->kind != "equations" && plugin->kind != "reference") continue;
     const std::filesystem::path file = notes_file(*plugin);
     if (std::filesystem::exists(file)) models.push_back(read_notes(*plugin, file));

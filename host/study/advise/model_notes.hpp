@@ -36,7 +36,7 @@ struct ModelNotes {
 };
 
 // Of all equation sets and references that have such a file, those first that keep least. Throws ManifestError when a file is wrong.
-std::vector<ModelNotes> known_models(const Registry& registry);
+std::vector<ModelNotes> known_models(const PluginCatalogue& catalogue);
 
 // The overrides that turn this case into that model: its plugin, then [set], with the tables of this case.
 Overrides overrides_for(const ModelNotes& model, const Case& scene, bool water_breaks);
