@@ -275,7 +275,9 @@ class PlaneAdviser {
     }
     trial.with.push_back(fmt::format("time.end={:.3g}", steady));
     along.trial = trial;
-    along.how += "; measured: the velocity of the particles when it is steady against the column's";
+    along.how +=
+        "; measured: by how much the velocity of the particles, when it is steady, differs from the column's, which is "
+        "their own error";
     verify();
   }
 
