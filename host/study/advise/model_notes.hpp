@@ -5,7 +5,8 @@
 //   preference = 1                  # among models that keep the same: the least first
 //   cells_per_depth = 4             # spacing that it needs, where it needs one
 //   contains = ["drag roughness-layer"]      # of a column: closures of a case that it has too
-//   from = { slope = "equations.bed_slope" } # and its parameters that other plugins of the case have under another name
+//   from = { slope = "equations.bed_slope" } # and its parameters that other plugins of the case have under another name, or what is
+//                                 # measured: "depth of the water", "bottom of the water", "level of the water", "smallest porosity"
 //   [set]                           # as --set; plugins.<kind> stands for the table of that kind, whatever its name
 //   plugins.viscosity.id = "none"
 //   [set_where_water_breaks]        # further ones

@@ -191,7 +191,11 @@ class PlaneAdviser {
     std::string source = "." + wanted.name;
     for (const auto& [name, from] : model.from) {
       if (name != wanted.name) continue;
-      if (from == "depth of the water") return fmt::format("{:.12g}", scales_.depth);
+      const std::map<std::string, double> measured{{"depth of the water", scales_.depth},
+                                                   {"bottom of the water", scales_.bottom},
+                                                   {"level of the water", scales_.bottom + scales_.depth},
+                                                   {"smallest porosity", scales_.smallest_porosity}};
+      if (const auto one = measured.find(from); one != measured.end()) return fmt::format("{:.12g}", one->second);
       source = from;
     }
     const std::size_t dot = source.find('.');

@@ -62,6 +62,7 @@ class Probe {
       squares += height * height;
     }
     const auto n = static_cast<double>(ends.size());
+    scales_.bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
     scales_.depth = sum / n;
     scales_.unevenness = std::sqrt(std::max(0.0, squares / n - scales_.depth * scales_.depth)) / scales_.depth;
     const auto [first, last] = std::minmax_element(x, x + count());
@@ -171,10 +172,9 @@ class Probe {
     scales_.laminar_stress = scene_.viscosity * 1.5 * scales_.speed / scales_.depth / force;
     if (simulation_.graph().field("eddy_viscosity") < 0) return;
     const double* z = simulation_.store().data("position", up());
-    const double bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
     std::vector<double> profile(count()), slope(count());
     for (std::size_t i = 0; i < count(); ++i) {
-      const double rest = std::clamp(1 - (z[i] - bottom) / scales_.depth, 0.0, 1.0);
+      const double rest = std::clamp(1 - (z[i] - scales_.bottom) / scales_.depth, 0.0, 1.0);
       profile[i] = 1.5 * scales_.speed * (1 - rest * rest);
       slope[i] = 3 * scales_.speed / scales_.depth * rest;
     }
