@@ -68,6 +68,12 @@ class Advise(Scene):
             self.assertEqual(terms[0]["name"], "vertical acceleration")
             self.assertEqual(terms[0]["matters"], matters)
 
+    def test_waves_below_the_tolerance_are_named(self):
+        notes = self.advice("dispersion/sinusoidal.toml")["notes"]
+        self.assertIn("--tolerance 3e-05", notes[0])
+        advice = self.advice("dispersion/sinusoidal.toml", "--tolerance", "3e-6")
+        self.assertTrue(advice["terms"][0]["kept"])  # vertical acceleration, at k h = 1
+
     def test_the_names_of_tables_may_be_any(self):
         text = (SOURCE / "cases/uniform-channel/friction.toml").read_text()
         text = text.replace("[plugins.drag]", '[plugins.bottom]\nkind = "drag"')

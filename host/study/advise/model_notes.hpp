@@ -7,6 +7,7 @@
 //   contains = ["drag roughness-layer"]      # of a column: closures of a case that it has too
 //   from = { slope = "equations.bed_slope" } # and its parameters that other plugins of the case have under another name, or what is
 //                                 # measured: "depth of the water", "bottom of the water", "level of the water", "smallest porosity"
+//   remark_where_water_breaks = "a sentence for those who run it so"
 //   [set]                           # as --set; plugins.<kind> stands for the table of that kind, whatever its name
 //   plugins.viscosity.id = "none"
 //   [set_where_water_breaks]        # further ones
@@ -31,6 +32,7 @@ struct ModelNotes {
   double preference = 100, cells_per_depth = 0;
   bool needs_water_everywhere = false;  // it cannot wet what was dry at t = 0
   Overrides set, set_where_water_breaks;
+  std::string remark_where_water_breaks;
   std::vector<std::string> contains;
   std::vector<std::pair<std::string, std::string>> from;
   [[nodiscard]] bool keeps_term(const std::string& term) const;

@@ -222,9 +222,11 @@ class PlaneAdviser {
     std::string obstacle;
     for (const ModelNotes& model : models_) {
       if (!model.keeps_term(over_the_depth) || model.keeps_term(along_the_flow) || !contains_closures(model)) continue;
-      Overrides proposal{"reference.id=" + model.plugin->id, "time.max_steps=1"};
+      const bool has_it = scene_.reference && scene_.reference->plugin.id == model.plugin->id;  // and knows it best
+      Overrides proposal{"time.max_steps=1"};
+      if (!has_it) proposal.push_back("reference.id=" + model.plugin->id);
       for (const ParameterDescription& parameter : model.plugin->parameters) {
-        if (!parameter.inherit.empty()) continue;
+        if (has_it || !parameter.inherit.empty()) continue;
         const std::string value = value_for(model, parameter);
         if (!value.empty()) proposal.push_back("reference." + parameter.name + '=' + value);
       }
