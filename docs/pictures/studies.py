@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the shipped studies and makes docs/results.md of them: docs/pictures/studies.py [PROGRAM]. PROGRAM is `./riffle` of this
-tree unless given. Runs are kept in studies/, so that a second call takes seconds and an interrupted one goes on; the times
+"""Runs the shipped studies and makes docs/results.md of them: docs/pictures/studies.py [PROGRAM [WORD...]]. PROGRAM is `./riffle` of
+this tree unless given. With words only those studies are done whose path holds one of them, and the rest of the page stays. Runs are kept in studies/, so that a second call takes seconds and an interrupted one goes on; the times
 on the page are the sums of what the runs took, in CPU seconds."""
 import csv
 import json
@@ -53,12 +53,26 @@ def better_by_a_fifth(front):
     return "".join(kept)
 
 
+def figures(rows):
+    """Of a study that judges no error: its numbers at the finest resolution, a line per closure."""
+    keys = list(rows[0])
+    numbers = [key for key in keys if key.startswith("fronts.") or key == "plateau"]
+    finest = {row["closure"]: row for row in rows}  # the last resolution of each
+    lines = ["| closure | " + " | ".join(numbers) + " |", "|---" * (len(numbers) + 1) + "|"]
+    for closure, row in finest.items():
+        shown = [f"{float(row[key]):.4g}" if row[key] not in ("", "nan") else "-" for key in numbers]
+        lines.append(f"| {closure} | " + " | ".join(shown) + " |")
+    return "\n".join(lines) + "\n"
+
+
 def compared(folder, name):
     """Chart and front of each case, by the first error."""
     parts = []
     with open(folder / "results.csv", newline="") as file:
         rows = list(csv.DictReader(file))
-    error = next(key for key in rows[0] if key.startswith("errors."))
+    error = next((key for key in rows[0] if key.startswith("errors.")), None)
+    if error is None:
+        return [figures(rows)]
     tables = (folder / "results.md").read_text()
     for case in dict.fromkeys(row["case"] for row in rows):
         chart = f"{case}-{error.removeprefix('errors.')}-cost.svg"
@@ -85,12 +99,22 @@ def mapped(folder, name, said):
     return parts
 
 
+def kept_sections():
+    """Those of the page as it is, by their titles."""
+    parts = re.split(r"^(?=## )", (ROOT / "docs" / "results.md").read_text(), flags=re.M)[1:]
+    return {part.split("\n", 1)[0].removeprefix("## "): part.rstrip("\n") + "\n" for part in parts}
+
+
 def main():
     program = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT / "riffle"
+    words = sys.argv[2:]
     os.chdir(ROOT)
-    page, machine = [], ""
+    page, machine, kept = [], "?", kept_sections()
     for study in sorted(ROOT.glob("cases/*/*.study.toml")):
         text = study.read_text()
+        if words and not any(word in str(study.relative_to(ROOT)) for word in words) and title_of(text) in kept:
+            page.append("\n" + kept[title_of(text)])
+            continue
         command = "stability" if re.search(r"^\[map\]", text, re.M) else "compare"
         folder = Path("studies") / re.search(r'^name = "(.*)"', text, re.M)[1]
         said = subprocess.run([program, command, study.relative_to(ROOT), "--quiet"], check=True, text=True, stdout=subprocess.PIPE).stdout

@@ -5,6 +5,33 @@ import subprocess
 from scene import PROGRAM, SOURCE, Scene, main
 
 
+TANK = """
+[case]
+name = "tank"
+[domain]
+dimension = 2
+x = [0, "0.2 m"]
+z = [0, "0.2 m"]
+smoothing_ratio = 1.5
+[initial]
+particles = {{ spacing = "10 mm" }}
+inside = "{inside}"
+[plugins.equations]
+id = "wcsph"
+sound_speed = "{sound} m/s"
+[plugins.kernel]
+id = "wendland-c2"
+[plugins.walls]
+kind = "boundary"
+id = "mirror-wall"
+z_min = true
+z_min_position = 0
+[time]
+end = "0.3 s"
+integrator = "semi-implicit-euler"
+"""
+
+
 class Advise(Scene):
     def advice(self, case, *more):
         return json.loads(self.riffle("advise", SOURCE / "cases" / case, "--json", *more).stdout)
@@ -41,6 +68,12 @@ class Advise(Scene):
             self.assertEqual(terms[0]["name"], "vertical acceleration")
             self.assertEqual(terms[0]["matters"], matters)
 
+    def test_waves_below_the_tolerance_are_named(self):
+        notes = self.advice("dispersion/sinusoidal.toml")["notes"]
+        self.assertIn("--tolerance 3e-05", notes[0])
+        advice = self.advice("dispersion/sinusoidal.toml", "--tolerance", "3e-6")
+        self.assertTrue(advice["terms"][0]["kept"])  # vertical acceleration, at k h = 1
+
     def test_the_names_of_tables_may_be_any(self):
         text = (SOURCE / "cases/uniform-channel/friction.toml").read_text()
         text = text.replace("[plugins.drag]", '[plugins.bottom]\nkind = "drag"')
@@ -49,6 +82,23 @@ class Advise(Scene):
         friction = next(term for term in advice["terms"] if term["name"] == "bed friction")
         self.assertGreater(friction["measured"], 0.005)
         self.assertTrue(friction["kept"])
+
+    def tank(self, inside, sound):
+        (self.home / "tank.toml").write_text(TANK.format(inside=inside, sound=sound))
+        return json.loads(self.riffle("advise", "tank.toml", "--json").stdout)
+
+    def test_a_collapsing_column_is_driven_and_needs_all(self):
+        advice = self.tank("z < 0.1 && x < 0.1", 12)
+        figures = advice["figures"]
+        self.assertAlmostEqual(figures["mean_depth"], 0.1, delta=1e-9)
+        self.assertGreater(figures["driving"], 0.05)
+        self.assertEqual(advice["terms"][0]["name"], "change along the flow")
+        self.assertTrue(advice["terms"][0]["kept"])
+
+    def test_more_sound_than_ten_times_the_fastest_wave_is_too_much(self):
+        sound = [change for change in self.tank("z < 0.1 && x < 0.1", 60)["set"] if "sound_speed" in change]
+        self.assertEqual(len(sound), 1)
+        self.assertLess(float(sound[0].split("=")[1]), 30)
 
     def test_mistakes_are_one_line_each(self):
         self.assertIn("no such manifest", self.riffle("advise", "nothing.toml", code=2).stderr)

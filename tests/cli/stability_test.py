@@ -53,16 +53,16 @@ class Stability(Scene):
         self.assertEqual(self.riffle("stability", self.study()).stderr, "")
         self.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)
 
-    # On 12 x 12 points, for 400 runs would take 20 s; on 20 x 20 points it is 69 runs (docs/comparing.md). The boundary may be
+    # On 10 x 10 points, for 400 runs would take 20 s; on 20 x 20 points it is 69 runs (docs/comparing.md). The boundary may be
     # off by one cell.
     def test_the_boundary_of_a_full_grid_is_found_with_fewer_runs(self):
-        n = 12
+        n = 10
         text = STUDY.replace("points = 6", f"points = {n}").replace("count = 50", "count = 30")
         maps = []
         for search in (n, 4):  # as many points as the grid has: all of them. The second map finds its runs done
             name = self.study(text=text.replace("[map]", f"[map]\nsearch = {search}"))
             said = self.riffle("stability", name, "--quiet").stdout
-            runs = int(re.search(r"(\d+) of 144 points run", said)[1])
+            runs = int(re.search(r"(\d+) of 100 points run", said)[1])
             maps.append((runs, [r["class"] for r in self.rows()]))
         (all_runs, full), (runs, found) = maps
         self.assertEqual(all_runs, n * n)

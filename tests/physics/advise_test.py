@@ -8,7 +8,47 @@ import json
 from scene import SOURCE, Scene, main
 
 TOLERANCE = 0.005
-
+ROUGH = """
+[case]
+name = "rough"
+[domain]
+dimension = 2
+x = [0, "40 mm"]
+z = [0, "80 mm"]
+smoothing_ratio = 1.5
+[initial]
+particles = { spacing = "5 mm" }
+inside = "z < 0.05"
+[plugins.equations]
+id = "wcsph"
+sound_speed = "7 m/s"
+bed_slope = 0.004
+surface = "50 mm"
+laminar = true
+[plugins.kernel]
+id = "wendland-c2"
+[plugins.roughness]
+kind = "drag"
+id = "roughness-layer"
+roughness_height = "8 mm"
+grain_diameter = "24 mm"
+[plugins.turbulence]
+id = "mixing-length"
+heights = "levels"
+depth = "50 mm"
+[plugins.filter]
+id = "delta-sph"
+[plugins.bottom]
+kind = "boundary"
+id = "dummy-wall"
+[plugins.sides]
+kind = "boundary"
+id = "periodic"
+[time]
+end = "60 s"
+integrator = "semi-implicit-euler"
+cfl = 1.0
+"""
 
 class Advise(Scene):
     def advice(self, case, *more):
@@ -49,6 +89,28 @@ class Advise(Scene):
         self.assertLess(self.terms["time after it is steady"]["measured"], TOLERANCE)
         ends = [change for change in advice["set"] if change.startswith("time.end=")]
         self.assertLess(float(ends[0].split("=")[1]), 120 * 0.7)
+
+    def test_uniform_flow_over_a_rough_bed_is_a_column(self):
+        (self.home / "rough.toml").write_text(ROUGH)
+        advice = json.loads(self.riffle("advise", "rough.toml", "--json", "--verify").stdout)
+        along = advice["terms"][0]
+        self.assertEqual((along["name"], along["kept"], along["problem"]), ("change along the flow", False, ""))
+        self.assertIn("reference.id=uniform-flow-column", advice["set"])
+        self.assertIn("reference.roughness_height=0.008", advice["set"])  # as the drag has it
+        self.assertIn("reference.slope=0.004", advice["set"])             # as the equations have it
+        # ten particles over the depth, which place the bed to half of one; 1.4 % with 25
+        self.assertLess(along["measured"], 0.1)
+        self.assertGreater(along["cpu_seconds_with"], 100 * advice["cpu_seconds_proposed"])
+
+    def test_water_let_go_on_a_slope_is_no_column_yet(self):
+        advice = json.loads(self.riffle("advise", SOURCE / "cases/lock-test/slope.toml", "--json").stdout)
+        self.assertFalse(advice["terms"][0]["kept"])
+        self.assertIn("speeds up", " ".join(advice["notes"]))
+        self.assertNotIn("time.max_steps=1", advice["set"])
+
+    def test_a_tank_at_rest_needs_no_run(self):
+        advice = json.loads(self.riffle("advise", SOURCE / "cases/hydrostatic/column.toml", "--json").stdout)
+        self.assertEqual(advice["set"], ["time.max_steps=1"])
 
     def test_what_no_model_can_keep_is_said_with_the_reason(self):
         self.advice("step/steady.toml", "--tolerance", "0.001", "--set", "time.end=8")

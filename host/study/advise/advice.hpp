@@ -40,7 +40,8 @@ struct Term {
   bool kept = false;               // by the proposal
   std::optional<TermTrial> trial;  // nothing when there is nothing to run
   [[nodiscard]] double measured() const;  // NaN unless a trial has told
-  [[nodiscard]] double best() const;      // measured, else the estimate
+  [[nodiscard]] double best()
+      const;  // measured, else the estimate; a solution of the same equations does not overrule it
   [[nodiscard]] bool matters(double tolerance) const { return best() > tolerance; }
 };
 

@@ -14,7 +14,7 @@ double Term::measured() const {
 }
 
 double Term::best() const {
-  return trial && trial->done ? trial->difference : contributes;
+  return trial && trial->done && !trial->against_reference ? trial->difference : contributes;
 }
 
 Advice advise(const AdviceRequest& request, const Registry& registry) {

@@ -62,7 +62,7 @@ class ChannelAdviser {
     steady_ = scales_.steady_from < steady_share * scout_.last().time;
     dispersion_ = estimate_dispersion(scout_, scene_.gravity, steady_);
     advice_.figures = figures_of(scales_, dispersion_, scene_);
-    if (scales_.froude < at_rest) {
+    if (scales_.froude < at_rest && apart(scout_.last(), scout_.states.front()) <= request_.tolerance) {
       advise_on_rest();
       return;
     }
@@ -135,12 +135,33 @@ class ChannelAdviser {
     motion.trial = TermTrial{changes + Overrides{"time.max_steps=1"}, changes, 0, 0, 0, "", false, false};
     advice_.terms.push_back(motion);
     if (request_.verify) verify();
-    const bool rests = !advice_.terms.front().matters(request_.tolerance);
-    advice_.terms.front().kept = !rests;
-    advice_.model = rests ? "none: the water is at rest, and its initial state is the answer; one step shows it"
-                          : model_->plugin->id + ": hydrostatic flow along the channel";
-    advice_.proposal = rests ? motion.trial->without : changes;
+    advice_.terms.front().kept = motion.matters(request_.tolerance);
+    advice_.model = "none: the water is at rest, and its initial state is the answer; one step shows it";
+    advice_.proposal = motion.trial->without;
+    const double waves = unevenness();
+    if (waves > 1e-9) {
+      advice_.model = "none: its initial state is the answer within the tolerance; one step shows it";
+      advice_.notes.push_back(
+          fmt::format("there are waves of {:.2g} % of the depth, which is below the tolerance: --tolerance "
+                      "{:.1g} judges by a twentieth of them",
+                      100 * waves, 0.05 * waves));
+    }
     add_costs();
+  }
+
+  // Mean deviation of the level at t = 0 from its mean, over the depth.
+  [[nodiscard]] double unevenness() const {
+    const FlowState& first = scout_.states.front();
+    double level = 0, wet = 0, deviation = 0;
+    for (std::size_t k = 0; k < first.depth.size(); ++k) {
+      if (!(first.depth[k] > 0)) continue;
+      level += first.depth[k] + scout_.line.bed[k];
+      wet += 1;
+    }
+    for (std::size_t k = 0; k < first.depth.size(); ++k) {
+      if (first.depth[k] > 0) deviation += std::abs(first.depth[k] + scout_.line.bed[k] - level / wet);
+    }
+    return deviation / wet / scales_.depth;
   }
 
   void add_vertical_acceleration() {
@@ -265,6 +286,8 @@ class ChannelAdviser {
     Overrides proposal = dispersion->kept ? overrides_for(*richer_, scene_, dispersion_.breaks) : least_;
     advice_.model = dispersion->kept ? richer_->plugin->id + ": flow along the channel with vertical acceleration"
                                      : model_->plugin->id + ": hydrostatic flow along the channel";
+    if (dispersion->kept && dispersion_.breaks && !richer_->remark_where_water_breaks.empty())
+      advice_.notes.push_back(richer_->remark_where_water_breaks);
     Term* const finer = term("twice as many particles");
     double count = finer != nullptr ? count_ : given_count();
     if (finer != nullptr && finer->matters(tolerance)) {

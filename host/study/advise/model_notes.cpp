@@ -44,6 +44,8 @@ ModelNotes read_notes(const PluginDescription& plugin, const std::filesystem::pa
       for (const TomlNode& item : value.items) notes.contains.push_back(item.text);
     } else if (entry.key == "from" && value.is_table()) {
       for (const TomlEntry& one : value.entries) notes.from.emplace_back(one.key, one.value.text);
+    } else if (entry.key == "remark_where_water_breaks" && value.is_text()) {
+      notes.remark_where_water_breaks = value.text;
     } else if (entry.key == "preference" && value.is_number()) {
       notes.preference = value.number;
     } else if (entry.key == "cells_per_depth" && value.is_number()) {
@@ -72,9 +74,9 @@ bool ModelNotes::keeps_term(const std::string& term) const {
   return std::find(keeps.begin(), keeps.end(), term) != keeps.end();
 }
 
-std::vector<ModelNotes> known_models(const Registry& registry) {
+std::vector<ModelNotes> known_models(const PluginCatalogue& catalogue) {
   std::vector<ModelNotes> models;
-  for (const PluginDescription* plugin : registry.all()) {
+  for (const PluginDescription* plugin : catalogue.all()) {
     if (plugin->kind != "equations" && plugin->kind != "reference") continue;
     const std::filesystem::path file = notes_file(*plugin);
     if (std::filesystem::exists(file)) models.push_back(read_notes(*plugin, file));

@@ -9,6 +9,7 @@
 
 #include "host/study/advise/plane_probe.hpp"
 #include "host/study/advise/scout.hpp"
+#include "host/study/advise/uniform.hpp"
 #include "host/study/advise/verify.hpp"
 #include "host/study/attempt.hpp"
 
@@ -22,54 +23,6 @@ const PluginChoice* chosen(const Case& scene, const std::string& kind) {
     if (choice.kind == kind && choice.id != "none") return &choice;
   }
   return nullptr;
-}
-
-// Water that leaves at one end enters at the other: a boundary plugin whose parameter x says so.
-bool goes_round(const Case& scene) {
-  bool round = false;
-  for (const PluginChoice& choice : scene.plugins) {
-    if (choice.kind != "boundary") continue;
-    for (const ParameterValue& value : choice.values) {
-      if (value.name == "x" && value.number != 0) round = true;
-      if ((value.name == "x_min" || value.name == "x_max") && value.number != 0) return false;
-      if (value.name == "end" || value.name == "discharge") return false;  // an open end
-    }
-  }
-  return round;
-}
-
-bool same_along_x(const Function& function, const Case& scene) {
-  constexpr int points = 23;
-  if (!function.valid()) return true;
-  const auto at = [&](int axis, int k) {
-    const auto a = static_cast<std::size_t>(axis);
-    return scene.lower[a] + (scene.upper[a] - scene.lower[a]) * (k + 0.5) / points;
-  };
-  const int up = scene.dimension - 1;
-  for (int j = 0; j < points; ++j) {
-    const double z = at(up, j), first = function(at(0, 0), 0, z);
-    for (int k = 1; k < points; ++k) {
-      const double other = function(at(0, k), 0, z);
-      if (std::abs(other - first) > 1e-9 * (std::abs(first) + std::abs(other))) return false;
-    }
-  }
-  return true;
-}
-
-// Nothing in the scene knows where along x it is.
-bool uniform_along_x(const Case& scene) {
-  if (!goes_round(scene) || !same_along_x(scene.placement.inside, scene)) return false;
-  for (const auto& [field, functions] : scene.initial) {
-    for (const Function& function : functions) {
-      if (!same_along_x(function, scene)) return false;
-    }
-  }
-  for (const PluginChoice& choice : scene.plugins) {
-    for (const ParameterValue& value : choice.values) {
-      if (value.function != nullptr && !same_along_x(*value.function, scene)) return false;
-    }
-  }
-  return true;
 }
 
 class PlaneAdviser {
@@ -199,11 +152,12 @@ class PlaneAdviser {
     }
   }
 
+  // s: several times that in which the driving force alone brings the water to its speed.
+  [[nodiscard]] double development_time() const { return 3 * scales_.speed / scales_.driving; }
+
   // Whether the water has the time to come to a steady profile, or begins with one.
   bool is_developed() {
-    constexpr double several = 3;
-    const double time = several * scales_.speed / scales_.driving;
-    if (scene_.time.end >= time || scales_.initial_speed > 0.3 * scales_.speed) return true;
+    if (scene_.time.end >= development_time() || scales_.initial_speed > 0.3 * scales_.speed) return true;
     advice_.notes.push_back(
         "the flow is the same everywhere along x but still speeds up at the end: a column of steady flow "
         "is what it would come to");
@@ -237,7 +191,11 @@ class PlaneAdviser {
     std::string source = "." + wanted.name;
     for (const auto& [name, from] : model.from) {
       if (name != wanted.name) continue;
-      if (from == "depth of the water") return fmt::format("{:.12g}", scales_.depth);
+      const std::map<std::string, double> measured{{"depth of the water", scales_.depth},
+                                                   {"bottom of the water", scales_.bottom},
+                                                   {"level of the water", scales_.bottom + scales_.depth},
+                                                   {"smallest porosity", scales_.smallest_porosity}};
+      if (const auto one = measured.find(from); one != measured.end()) return fmt::format("{:.12g}", one->second);
       source = from;
     }
     const std::size_t dot = source.find('.');
@@ -264,9 +222,11 @@ class PlaneAdviser {
     std::string obstacle;
     for (const ModelNotes& model : models_) {
       if (!model.keeps_term(over_the_depth) || model.keeps_term(along_the_flow) || !contains_closures(model)) continue;
-      Overrides proposal{"reference.id=" + model.plugin->id, "time.max_steps=1"};
+      const bool has_it = scene_.reference && scene_.reference->plugin.id == model.plugin->id;  // and knows it best
+      Overrides proposal{"time.max_steps=1"};
+      if (!has_it) proposal.push_back("reference.id=" + model.plugin->id);
       for (const ParameterDescription& parameter : model.plugin->parameters) {
-        if (!parameter.inherit.empty()) continue;
+        if (has_it || !parameter.inherit.empty()) continue;
         const std::string value = value_for(model, parameter);
         if (!value.empty()) proposal.push_back("reference." + parameter.name + '=' + value);
       }
@@ -310,8 +270,20 @@ class PlaneAdviser {
     trial.against_reference = true;
     trial.without = trial.with = advice_.proposal;
     trial.with.erase(std::find(trial.with.begin(), trial.with.end(), "time.max_steps=1"));
+    const double steady = std::min(scene_.time.end, development_time());
+    const double cost = advice_.cpu_given * steady / scene_.time.end;
+    if (cost > request_.budget) {
+      trial.problem =
+          fmt::format("particles would take {:.2g} s of CPU time to become steady, which --budget {:.0f} allows", cost,
+                      10 * std::ceil(0.1 * cost));
+      along.trial = trial;
+      return;
+    }
+    trial.with.push_back(fmt::format("time.end={:.3g}", steady));
     along.trial = trial;
-    along.how += "; measured: the velocity of the particles at the end against the column's";
+    along.how +=
+        "; measured: by how much the velocity of the particles, when it is steady, differs from the column's, which is "
+        "their own error";
     verify();
   }
 

@@ -62,6 +62,7 @@ class Probe {
       squares += height * height;
     }
     const auto n = static_cast<double>(ends.size());
+    scales_.bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
     scales_.depth = sum / n;
     scales_.unevenness = std::sqrt(std::max(0.0, squares / n - scales_.depth * scales_.depth)) / scales_.depth;
     const auto [first, last] = std::minmax_element(x, x + count());
@@ -111,16 +112,19 @@ class Probe {
     return acts > 0 ? sum / acts : 0;
   }
 
-  // Columns as a whole, so that sound and settling between particles do not count, and by how much they gain in the second
-  // half of the steps: what settles does not go on.
+  // Columns as a whole, so that settling between particles does not count, and by how much they gain in the second half of a
+  // time in which sound crosses the water twice and twice again: what settles does not go on.
   void measure_driving() {
-    constexpr int half = 60;
-    constexpr double longest = 1;  // s
+    constexpr int fewest_steps = 60;
+    constexpr double longest = 1.5;  // s
+    const double crossings =
+        scales_.sound_speed > 0 ? 2 * std::max(scales_.length, scales_.depth) / scales_.sound_speed : 0;
     const std::vector<double> before = velocities();
     for (const double u : before) scales_.initial_speed += std::abs(u) / static_cast<double>(count());
     const auto go_on = [&] {
       const std::clock_t start = std::clock();
-      for (int k = 0; k < half && simulation_.time() < scene_.time.end; ++k) {
+      const double until = simulation_.time() + crossings;
+      for (int k = 0; (k < fewest_steps || simulation_.time() < until) && simulation_.time() < scene_.time.end; ++k) {
         scales_.step = simulation_.step(scene_.time.end).dt;
         if (static_cast<double>(std::clock() - start) > longest * CLOCKS_PER_SEC) break;
       }
@@ -168,10 +172,9 @@ class Probe {
     scales_.laminar_stress = scene_.viscosity * 1.5 * scales_.speed / scales_.depth / force;
     if (simulation_.graph().field("eddy_viscosity") < 0) return;
     const double* z = simulation_.store().data("position", up());
-    const double bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
     std::vector<double> profile(count()), slope(count());
     for (std::size_t i = 0; i < count(); ++i) {
-      const double rest = std::clamp(1 - (z[i] - bottom) / scales_.depth, 0.0, 1.0);
+      const double rest = std::clamp(1 - (z[i] - scales_.bottom) / scales_.depth, 0.0, 1.0);
       profile[i] = 1.5 * scales_.speed * (1 - rest * rest);
       slope[i] = 3 * scales_.speed / scales_.depth * rest;
     }

@@ -23,6 +23,7 @@ Case case_with(const AdviceRequest& request, const Overrides& further, const Reg
   return read_case(request.manifest, all, registry);
 }
 
+// The level is what is linear between particles, for the bed may not be.
 FlowState state_of(Simulation& simulation, const FlowLine& line) {
   simulation.refresh({"depth", "velocity"});
   const ParticleStore& store = simulation.store();
@@ -31,8 +32,17 @@ FlowState state_of(Simulation& simulation, const FlowLine& line) {
     const double* data = store.data(name);
     return std::vector<double>(data, data + n);
   };
-  const std::vector<double> x = taken("position");
-  return {simulation.time(), along_line(line, x, taken("depth")), along_line(line, x, taken("velocity"))};
+  const std::vector<double> x = taken("position"), depth = taken("depth");
+  std::vector<double> level(n);
+  const riffle_services& scene = simulation.services();
+  scene.bed(scene.context, static_cast<std::int64_t>(n), x.data(), nullptr, level.data(), nullptr, nullptr);
+  for (std::size_t i = 0; i < n; ++i) level[i] += depth[i];
+  FlowState state{simulation.time(), along_line(line, x, depth), along_line(line, x, taken("velocity"))};
+  const std::vector<double> surface = along_line(line, x, level);
+  for (std::size_t k = 0; k < line.x.size(); ++k) {
+    if (state.depth[k] > 0) state.depth[k] = std::max(surface[k] - line.bed[k], 0.0);
+  }
+  return state;
 }
 
 SimulationOptions one_thread() {
