@@ -79,7 +79,7 @@ struct Case {
   std::map<std::string, std::vector<Function>> initial;
   Function level;  // of the water at t = 0, instead of initial["depth"], which then follows from the bed
   std::vector<std::string> initial_from_reference;  // fields that begin as the reference has them at t = 0
-  std::vector<PluginChoice> plugins;  // in the order of the manifest, reference excluded
+  std::vector<PluginChoice> plugins;                // in the order of the manifest, reference excluded
   std::optional<ReferenceControl> reference;
   TimeControl time;
   OutputControl output;
