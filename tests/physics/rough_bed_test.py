@@ -40,6 +40,11 @@ class RoughBed(Scene):
         self.assertLess(abs(flow["rise"]), 0.01)
         self.assertLess(flow["across"], 0.01)
 
+    def test_with_too_narrow_a_support_the_lattice_carries_the_water(self):
+        flow = profiles_of_the_cases().evaluate(self.run_flow(3, "output.profiles=0.1", "domain.smoothing_ratio=1.2"), begin=1)
+        self.assertGreater(flow["virial"], 0.3)  # 0.7 later on
+        self.assertLess(flow["mean"], 0.95 * flow["column"])
+
     def test_smaller_eddies_alone_do_not_hold_it(self):
         started = self.mean_velocity(self.run_flow(0.001))
         ended = self.mean_velocity(self.run_flow(1.5, "plugins.turbulence.id=smagorinsky"))
