@@ -7,8 +7,8 @@
 //   layer        k1 = 0,   k2 = C_d (1 - phi) / d, of single grains in a roughness layer                   eq. 6.2
 //   spheres      k1 = 0,   k2 = 1/2 C_d W_d / d, of spheres whose crest is at R_d above the bed      eqs 3.3, 3.4, 3.17
 //
-// W_d is the share of a slice of width d that lies in the sphere: the chord at that height over the diameter. Over half a
-// sphere its mean is pi/4. The force of eq. 3.4 on a slice of height l0 over the area d l0 of eq. 3.3 is one per volume.
+// W_d is the share of a slice of width d that lies in the sphere: the chord at that height over the diameter, averaged over
+// the thickness of the slice. Over half a sphere its mean is pi/4. The force of eq. 3.4 on a slice of height l0 over the area d l0 of eq. 3.3 is one per volume.
 #pragma once
 
 #include <algorithm>
@@ -41,14 +41,22 @@ inline Coefficients layer(double porosity, double diameter, double drag_coeffici
   return {0, drag_coefficient * std::max(1 - porosity, 0.0) / diameter};
 }
 
-// W_d at a height above the numerical bed; 0 above the crest, and below the sphere where it stands clear of the bed.
-inline double sphere_shape(double height, double roughness_height, double diameter) {
-  const double from_centre = 2 * (height - roughness_height) / diameter + 1;
-  return std::sqrt(std::max(1 - from_centre * from_centre, 0.0));
+// W_d of a slice of water of a thickness [m] about a height above the numerical bed: the mean of the chord over it, or the
+// chord itself for no thickness. 0 above the crest, and below the sphere where it stands clear of the bed.
+inline double sphere_shape(double height, double roughness_height, double diameter, double thickness = 0) {
+  const auto from_centre = [&](double z) {
+    return std::min(std::max(2 * (z - roughness_height) / diameter + 1, -1.0), 1.0);
+  };
+  const double s = from_centre(height);
+  if (!(thickness > 0)) return std::sqrt(1 - s * s);
+  const auto area = [](double t) { return 0.5 * (t * std::sqrt(1 - t * t) + std::asin(t)); };
+  return 0.5 * diameter / thickness *
+         (area(from_centre(height + 0.5 * thickness)) - area(from_centre(height - 0.5 * thickness)));
 }
 
-inline Coefficients spheres(double height, double roughness_height, double diameter, double drag_coefficient) {
-  return {0, 0.5 * drag_coefficient * sphere_shape(height, roughness_height, diameter) / diameter};
+inline Coefficients spheres(double height, double roughness_height, double diameter, double drag_coefficient,
+                            double thickness = 0) {
+  return {0, 0.5 * drag_coefficient * sphere_shape(height, roughness_height, diameter, thickness) / diameter};
 }
 
 // drag_rate += law(k, speed [m/s]) [1/s] for each particle k; reads velocity as in(0), adds to out(0).

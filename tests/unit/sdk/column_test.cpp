@@ -181,8 +181,11 @@ TEST(ArmourBedColumn, HasThePorosityThatTheLayerHolds) {
 }
 
 TEST(Column, ConvergesWithSecondOrder) {
-  const ArmourCase& c = armour_cases[11];
-  const auto q = [&](int cells) { return ColumnFlow::of_slope(bed_of(c).column(cells), c.level, 0.0028).discharge(); };
+  const ArmourBed bed = bed_of(armour_cases[11]);
+  const double level = armour_cases[11].level;
+  const auto q = [&bed, level](int cells) {
+    return ColumnFlow::of_slope(bed.column(cells), level, 0.0028).discharge();
+  };
   const double fine = q(3200), first = fine - q(100), second = fine - q(200), third = fine - q(400);
   EXPECT_LT(std::abs(first / fine), 1.5e-3);
   EXPECT_NEAR(first / second, 4, 1);
