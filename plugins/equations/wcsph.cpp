@@ -81,7 +81,8 @@ struct Wcsph {
     static constexpr riffle_write writes[] = {riffle::set(wc::particle_volume), riffle::set(wc::pair_pressure),
                                               riffle::set(wc::inverse_density), riffle::set(wc::excess_density),
                                               riffle::set(wc::diffusing_volume)};
-    static void of(const Wcsph& s, const riffle::Block& b, const double* phi, const double* pressure, double diffusing) {
+    static void of(const Wcsph& s, const riffle::Block& b, const double* phi, const double* pressure,
+                   double diffusing) {
       const double *rho = b.in(0), *m = b.in(1), *z = b.in(2, b.dim() - 1);
       double *volume = b.out(0), *pair = b.out(1), *inverse = b.out(2), *excess = b.out(3), *spreading = b.out(4);
       const double stratification = s.stratification, weight = s.rho0 * s.removed_gravity;
@@ -105,9 +106,7 @@ struct Wcsph {
     static constexpr std::uint32_t targets = wc::solid;
     static constexpr riffle_read reads[] = {riffle::at_i(f::density), riffle::at_i(f::mass), riffle::at_i(f::position),
                                             riffle::at_i(wc::wall_pressure, RIFFLE_OPTIONAL)};
-    static void run(const Wcsph& s, const riffle::Block& b) {
-      of(s, b, nullptr, b.has(3) ? b.in(3) : nullptr, 0);
-    }
+    static void run(const Wcsph& s, const riffle::Block& b) { of(s, b, nullptr, b.has(3) ? b.in(3) : nullptr, 0); }
   };
   struct Pressure {
     static constexpr auto pass_name = "pressure";
@@ -240,11 +239,11 @@ struct Wcsph {
       }
     }
   };
-  using passes =
-      riffle::Passes<Start, StateOfWater, StateOfWalls, Pressure, RestVolume, RestVolumeOfWalls, Continuity, PorousContinuity, Compression,
-                     Momentum, wc::LaminarStress<Wcsph>, wc::EddyStress<Wcsph>, BodyForce, Acceleration,
-                     wc::VelocityGradient<Wcsph>, wc::StrainRate<Wcsph>, wc::StressTensor<Wcsph>,
-                     wc::StressDivergence<Wcsph>, wc::ModelledShearStress<Wcsph>, wc::VirialShearStress<Wcsph>>;
+  using passes = riffle::Passes<Start, StateOfWater, StateOfWalls, Pressure, RestVolume, RestVolumeOfWalls, Continuity,
+                                PorousContinuity, Compression, Momentum, wc::LaminarStress<Wcsph>,
+                                wc::EddyStress<Wcsph>, BodyForce, Acceleration, wc::VelocityGradient<Wcsph>,
+                                wc::StrainRate<Wcsph>, wc::StressTensor<Wcsph>, wc::StressDivergence<Wcsph>,
+                                wc::ModelledShearStress<Wcsph>, wc::VirialShearStress<Wcsph>>;
 
   struct Acoustic {
     static constexpr auto name = "acoustic";

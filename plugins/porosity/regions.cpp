@@ -62,7 +62,8 @@ struct Regions {
   static constexpr auto leaves_out = "regions that move; three dimensions";
   static constexpr std::uint32_t dims = 1u << 2;
   static constexpr riffle_parameter parameters[] = {
-      riffle::text("regions", "", "one line per region: \"porosity: x z, x z, x z, ...\", corners in metres"),
+      riffle::text("regions", "", "one line per region: \"porosity: x z, x z, x z, ...\", corners in metres",
+                   RIFFLE_REQUIRED),
       riffle::real("thickness", "m", 0.01, 0, 1e3, "of the transition about each outline: the grain diameter d_s",
                    RIFFLE_ABOVE_MIN)};
   using passes = riffle::PorosityPasses<Regions>;
@@ -85,7 +86,6 @@ struct Regions {
   }
 
   void connect(const riffle_services& s) {
-    if (regions.empty()) throw std::invalid_argument("regions is empty; name one as \"porosity: x z, x z, x z\"");
     domain.services = &s;
     for (Region& region : regions) {
       region.inner.assign(region.outline.edges(), 1);

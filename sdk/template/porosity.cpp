@@ -21,14 +21,13 @@ struct MyPlugin {
 
   explicit MyPlugin(const riffle::Values& v)
       : bed(v.number("bed")), level(v.number("level")), thickness(v.number("thickness")) {}
-  void connect(const riffle_services& s) { domain.services = &s; }
 
   // phi at x = {x, z}
   [[nodiscard]] double porosity(const std::array<double, 3>& x) const {
     return 1 - (1 - bed) / 2 * (1 - std::tanh((x[1] - level) / thickness));
   }
   double bed, level, thickness;
-  riffle::PorousDomain domain;
+  riffle::PorousDomain domain;  // connected to the scene, it lets walls ask for the nearest place within the domain
 };
 
 RIFFLE_PLUGIN(MyPlugin)
