@@ -12,8 +12,8 @@ struct ArmourRamp {
   static constexpr auto leaves_out = "the roughness of the bed along x";
   static constexpr std::uint32_t dims = 1u << 2 | 1u << 3;
   static constexpr riffle_parameter parameters[] = {
-      riffle::required_real("crest", "m", -1e6, 1e6, "z_c: highest level of the roughness layer"),
-      riffle::required_real("trough", "m", -1e6, 1e6, "z_t: lowest level of the roughness layer"),
+      riffle::real("crest", "m", 1, -1e6, 1e6, "z_c: highest level of the roughness layer", RIFFLE_REQUIRED),
+      riffle::real("trough", "m", 0, -1e6, 1e6, "z_t: lowest level of the roughness layer", RIFFLE_REQUIRED),
       riffle::real("middle", "m", 0, -1e6, 1e6, "z_m: middle of the ramp; that of the layer if not given"),
       riffle::real("porosity", "1", 0.22, 0, 1, "phi0 of the bed below the trough", RIFFLE_ABOVE_MIN),
       riffle::real("ramp_fraction", "1", 0.5, 0, 1, "thickness of the ramp over that of the layer", RIFFLE_ABOVE_MIN)};
@@ -26,9 +26,11 @@ struct ArmourRamp {
     bed.porosity = v.number("porosity");
     bed.ramp_fraction = v.number("ramp_fraction");
     bed.bottom = bed.trough - 1;  // porosity does not depend on it
+  }
+  void connect(const riffle_services& s) {
+    domain.services = &s;
     check_armour_bed(bed, {});
   }
-  void connect(const riffle_services& s) { domain.services = &s; }
   [[nodiscard]] double porosity(const std::array<double, 3>& x) const {
     const int up = domain.services != nullptr ? domain.services->dim - 1 : 1;
     return bed.porosity_at(x[static_cast<std::size_t>(up)]);
