@@ -141,7 +141,7 @@ void read_plugins(Reading& reading) {
       if (!kind_unclear || slots_of_kind[kind].size() > 1) check_number_of(reading, kind, slots_of_kind[kind]);
     }
   }
-  for (const char* kind : {"bed", "width"}) at_most_one(reading, kind, slots_of_kind[kind]);
+  for (const char* kind : {"bed", "width", "porosity"}) at_most_one(reading, kind, slots_of_kind[kind]);
   check_refusals(reading);
   choose_integrator(reading);
 }

@@ -59,8 +59,8 @@ struct PluginDescription {
 
 // The kinds that exist, in the order in which they are listed.
 inline const std::vector<std::string>& plugin_kinds() {
-  static const std::vector<std::string> kinds{"equations", "kernel", "viscosity", "drag",  "turbulence",
-                                              "boundary",  "filter", "bed",       "width", "reference"};
+  static const std::vector<std::string> kinds{"equations", "kernel", "viscosity", "drag",     "turbulence", "boundary",
+                                              "filter",    "bed",    "width",     "porosity", "reference"};
   return kinds;
 }
 

@@ -124,6 +124,7 @@ void Simulation::require_that_terrain_is_used() const {
     add("bed", "bed");
   }
   if (terrain_->has_width() && unused({"channel_width", "width_slope"})) add("width", "width of the channel");
+  if (instance_of("porosity") != nullptr && unused({"porosity"})) add("porosity", "porosity");
   if (!lines.empty()) throw ScheduleError(lines);
 }
 

@@ -1,6 +1,6 @@
 // Walls of fixed particles whose density follows from continuity, as that of the water does.
 //
-//   drho_w/dt = rho_w sum_j V_j (u_w - u_j) . x_wj F   over the water,   then rho_w = max(rho_w, rho0)
+//   drho_w/dt = rho_w sum_j V_j (u_w - phi_j / phi_w u_j) . x_wj F   over the water,   then rho_w = max(rho_w, rho0)
 //
 // Water that comes nearer compresses them and is pushed back; they have no velocity, so with a viscosity water does not
 // slip. Without the limit (clamp = false) walls from which water departs pull at it, and thin layers stick to them.
@@ -37,7 +37,22 @@ struct DummyWall {
       RIFFLE_EACH(k, b) rate[k] = rho[k] * volume[k] * (gradient[k] * approach[k]);
     }
   };
-  using passes = riffle::Passes<Continuity>;
+  // What water of another porosity than the wall's brings besides; the wall is at rest.
+  struct PorousContinuity : Continuity {
+    static constexpr auto pass_name = "density of porous walls";
+    static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED;
+    static constexpr riffle_read reads[] = {riffle::at_i(f::kernel_gradient), riffle::at_j(wc::particle_volume),
+                                            riffle::at_i(f::density),         riffle::pair(f::approach),
+                                            riffle::at_i(f::porosity),        riffle::at_j(f::porosity)};
+    static void run(const DummyWall&, const riffle::Block& b) {
+      const double *gradient = b.in(0), *volume = b.in(1), *rho = b.in(2), *approach = b.in(3);
+      const double *phi_i = b.in(4), *phi_j = b.in(5);
+      double* rate = b.out(0);
+      RIFFLE_EACH(k, b)
+      rate[k] = (phi_j[k] / phi_i[k] - 1) * rho[k] * volume[k] * (gradient[k] * approach[k]);
+    }
+  };
+  using passes = riffle::Passes<Continuity, PorousContinuity>;
 
   explicit DummyWall(const riffle::Values& v)
       : faces(v), clamp(v.flag("clamp")), gravity(v.number("gravity")), rho0(v.number("density")) {}

@@ -74,14 +74,17 @@ struct Wcsph {
   };
 
   // Reads and writes of the two passes of state: water by its density, walls by wall_pressure where somebody gives it.
+  // The mass of a wall particle is that of water in all of its place, so that V = m / rho in porous walls too.
   struct State {
     static constexpr riffle_read reads[] = {riffle::at_i(f::density), riffle::at_i(f::mass), riffle::at_i(f::position),
                                             riffle::at_i(f::porosity, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::set(wc::particle_volume), riffle::set(wc::pair_pressure),
-                                              riffle::set(wc::excess_density), riffle::set(wc::diffusing_volume)};
-    static void of(const Wcsph& s, const riffle::Block& b, const double* pressure, double diffusing) {
-      const double *rho = b.in(0), *m = b.in(1), *z = b.in(2, b.dim() - 1), *phi = b.has(3) ? b.in(3) : nullptr;
-      double *volume = b.out(0), *pair = b.out(1), *excess = b.out(2), *spreading = b.out(3);
+                                              riffle::set(wc::inverse_density), riffle::set(wc::excess_density),
+                                              riffle::set(wc::diffusing_volume)};
+    static void of(const Wcsph& s, const riffle::Block& b, const double* phi, const double* pressure,
+                   double diffusing) {
+      const double *rho = b.in(0), *m = b.in(1), *z = b.in(2, b.dim() - 1);
+      double *volume = b.out(0), *pair = b.out(1), *inverse = b.out(2), *excess = b.out(3), *spreading = b.out(4);
       const double stratification = s.stratification, weight = s.rho0 * s.removed_gravity;
       RIFFLE_EACH(k, b) {
         volume[k] = m[k] / rho[k] / (phi != nullptr ? phi[k] : 1.0);
@@ -95,15 +98,14 @@ struct Wcsph {
   struct StateOfWater : State {
     static constexpr auto pass_name = "state of water";
     static constexpr std::uint32_t targets = wc::water;
-    static void run(const Wcsph& s, const riffle::Block& b) { of(s, b, nullptr, 1); }
+    static void run(const Wcsph& s, const riffle::Block& b) { of(s, b, b.has(3) ? b.in(3) : nullptr, nullptr, 1); }
   };
   struct StateOfWalls : State {
     static constexpr auto pass_name = "state of walls";
     static constexpr std::uint32_t targets = wc::solid;
     static constexpr riffle_read reads[] = {riffle::at_i(f::density), riffle::at_i(f::mass), riffle::at_i(f::position),
-                                            riffle::at_i(f::porosity, RIFFLE_OPTIONAL),
                                             riffle::at_i(wc::wall_pressure, RIFFLE_OPTIONAL)};
-    static void run(const Wcsph& s, const riffle::Block& b) { of(s, b, b.has(4) ? b.in(4) : nullptr, 0); }
+    static void run(const Wcsph& s, const riffle::Block& b) { of(s, b, nullptr, b.has(3) ? b.in(3) : nullptr, 0); }
   };
   struct Pressure {
     static constexpr auto pass_name = "pressure";
@@ -116,13 +118,19 @@ struct Wcsph {
   };
   struct RestVolume {
     static constexpr auto pass_name = "volume at rest";
-    static constexpr std::uint32_t targets = wc::water | wc::solid;
+    static constexpr std::uint32_t targets = wc::water;
     static constexpr riffle_read reads[] = {riffle::at_i(f::mass), riffle::at_i(f::porosity, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::set(wc::rest_volume)};
     static void run(const Wcsph& s, const riffle::Block& b) {
       const double* phi = b.has(1) ? b.in(1) : nullptr;
       RIFFLE_EACH(k, b) b.out(0)[k] = b.in(0)[k] / ((phi != nullptr ? phi[k] : 1.0) * s.rho0);
     }
+  };
+  struct RestVolumeOfWalls : RestVolume {
+    static constexpr auto pass_name = "volume of walls at rest";
+    static constexpr std::uint32_t targets = wc::solid;
+    static constexpr riffle_read reads[] = {riffle::at_i(f::mass)};
+    static void run(const Wcsph& s, const riffle::Block& b) { RIFFLE_EACH(k, b) b.out(0)[k] = b.in(0)[k] / s.rho0; }
   };
 
   struct Continuity {
@@ -230,11 +238,11 @@ struct Wcsph {
       }
     }
   };
-  using passes =
-      riffle::Passes<Start, StateOfWater, StateOfWalls, Pressure, RestVolume, Continuity, PorousContinuity, Compression,
-                     Momentum, wc::LaminarStress<Wcsph>, wc::EddyStress<Wcsph>, BodyForce, Acceleration,
-                     wc::VelocityGradient<Wcsph>, wc::StrainRate<Wcsph>, wc::StressTensor<Wcsph>,
-                     wc::StressDivergence<Wcsph>, wc::ModelledShearStress<Wcsph>, wc::VirialShearStress<Wcsph>>;
+  using passes = riffle::Passes<Start, StateOfWater, StateOfWalls, Pressure, RestVolume, RestVolumeOfWalls, Continuity,
+                                PorousContinuity, Compression, Momentum, wc::LaminarStress<Wcsph>,
+                                wc::EddyStress<Wcsph>, BodyForce, Acceleration, wc::VelocityGradient<Wcsph>,
+                                wc::StrainRate<Wcsph>, wc::StressTensor<Wcsph>, wc::StressDivergence<Wcsph>,
+                                wc::ModelledShearStress<Wcsph>, wc::VirialShearStress<Wcsph>>;
 
   struct Acoustic {
     static constexpr auto name = "acoustic";

@@ -47,8 +47,8 @@ TEST_P(EveryPlugin, SaysWhatItIsWhereItComesFromAndWhatItLeavesOut) {
   EXPECT_EQ(std::string(plugin.summary).find('\n'), std::string::npos);
   EXPECT_TRUE(is_text(plugin.source));
   EXPECT_NE(plugin.leaves_out, nullptr);
-  const std::set<std::string> kinds{"equations", "kernel", "viscosity", "drag",  "turbulence",
-                                    "boundary",  "filter", "bed",       "width", "reference"};
+  const std::set<std::string> kinds{"equations", "kernel", "viscosity", "drag",     "turbulence", "boundary",
+                                    "filter",    "bed",    "width",     "porosity", "reference"};
   EXPECT_EQ(kinds.count(plugin.kind), 1u) << plugin.kind;
   EXPECT_NE(plugin.dims & 0xEu, 0u);
 }

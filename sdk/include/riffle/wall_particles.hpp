@@ -177,9 +177,8 @@ inline std::int64_t add_wall_particles(const riffle_editor& e, std::uint32_t rol
       e.write(e.context, "velocity", c)[i] = 0;
     }
     const double deeper = rho + rho * gravity * (z - places[p][static_cast<std::size_t>(up)]) / (c0 * c0);
-    const double porosity = 1;
     e.write(e.context, "density", 0)[i] = deeper;
-    e.write(e.context, "mass", 0)[i] = porosity * deeper * std::pow(spacing, e.dim);
+    e.write(e.context, "mass", 0)[i] = deeper * std::pow(spacing, e.dim);
   }
   return first;
 }

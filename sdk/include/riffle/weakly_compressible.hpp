@@ -20,7 +20,8 @@ namespace riffle::wc {
 inline constexpr std::uint32_t water = RIFFLE_FLUID | RIFFLE_INFLOW | RIFFLE_OUTFLOW;
 inline constexpr std::uint32_t solid = RIFFLE_WALL | RIFFLE_PISTON;
 
-inline constexpr riffle_field particle_volume = scalar_field("particle_volume", "md", "V = m / (phi rho)");
+inline constexpr riffle_field particle_volume =
+    scalar_field("particle_volume", "md", "V = m / (phi rho); of walls m / rho");
 inline constexpr riffle_field rest_volume =
     scalar_field("rest_volume", "md", "m / (phi rho0): the volume of a particle at rest density");
 inline constexpr riffle_field pair_pressure = scalar_field(
