@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <map>
 
+#include "host/manifest/read.hpp"
+#include "host/study/advise/channel.hpp"
 #include "host/study/advise/plane_probe.hpp"
 #include "host/study/advise/scout.hpp"
+#include "host/study/advise/temporary_folder.hpp"
 #include "host/study/advise/uniform.hpp"
 #include "host/study/advise/verify.hpp"
 #include "host/study/attempt.hpp"
@@ -53,7 +57,9 @@ class PlaneAdviser {
         "its stress over the force that drives the water, at the speed above", switch_off("laminar"));
     add_sound();
     if (uniform && is_developed() && propose_column()) return;
+    if (!uniform) judge_as_channel();
     propose_parts();
+    if (!channel_.empty()) propose_channel();
   }
 
  private:
@@ -252,6 +258,57 @@ class PlaneAdviser {
     return false;
   }
 
+  // What depth-averaging would leave out: the same columns as a channel, judged by its rules.
+  void judge_as_channel() {
+    for (const ModelNotes& model : models_) {
+      if (model.plugin->kind != "equations" || !model.keeps_term(along_the_flow)) continue;
+      const ChannelManifest channel = as_channel(scene_, scales_.columns, model, registry_);
+      if (channel.text.empty()) {
+        advice_.notes.push_back("no depth-averaged model is weighed, for " + channel.obstacle);
+        return;
+      }
+      const TemporaryFolder folder;
+      AdviceRequest request = request_;
+      request.manifest = folder.path() / "channel.toml";
+      request.overrides.clear();
+      request.verify = false;
+      std::ofstream(request.manifest) << channel.text;
+      Advice shallow;
+      try {
+        advise_on_channel(request, read_case(request.manifest, {}, registry_), registry_, models_, shallow);
+      } catch (const std::exception& error) {
+        advice_.notes.push_back(std::string("no depth-averaged model is weighed: ") + error.what());
+        return;
+      }
+      const Term& dispersion = shallow.terms.front();
+      add(vertical_acceleration, dispersion.contributes, "the same columns as a channel: " + dispersion.how, "");
+      Overrides least = shallow.proposal;
+      if (dispersion.trial) least = dispersion.trial->without;
+      advice_.terms.back().trial = pair_of(least, {});
+      advice_.terms.back().trial->manifest_without = channel.text;
+      channel_ = channel.text;
+      channel_changes_ = shallow.proposal;
+      channel_model_ = shallow.model;
+      return;
+    }
+  }
+
+  void propose_channel() {
+    const auto found = std::find_if(advice_.terms.begin(), advice_.terms.end(),
+                                    [](const Term& term) { return term.name == vertical_acceleration; });
+    found->kept = found->matters(request_.tolerance);
+    if (!found->kept) {
+      advice_.manifest = channel_;
+      advice_.proposal = channel_changes_;
+      advice_.model = channel_model_ + ", from the manifest below";
+      const TemporaryFolder folder;
+      AdviceRequest request;
+      request.manifest = folder.path() / "channel.toml";
+      std::ofstream(request.manifest) << channel_;
+      advice_.cpu_proposed = estimated_cost(request, with_quiet(channel_changes_), registry_);
+    }
+  }
+
   void verify() {
     const double cost = advice_.cpu_given;
     verify_terms(request_,
@@ -291,13 +348,15 @@ class PlaneAdviser {
   void verify_parts() {
     for (Term& term : advice_.terms) {
       const auto found = part_of_.find(term.name);
-      if (found != part_of_.end()) term.trial = TermTrial{{found->second}, {}, 0, 0, 0, "", false, false};
+      if (found != part_of_.end()) term.trial = pair_of({found->second}, {});
     }
     verify();
     for (Term& term : advice_.terms) {
       if (!term.trial || !term.trial->done) continue;
       term.kept = term.matters(request_.tolerance);
-      const std::string& change = part_of_[term.name];
+      const auto part = part_of_.find(term.name);
+      if (part == part_of_.end()) continue;
+      const std::string& change = part->second;
       parts_.erase(std::remove(parts_.begin(), parts_.end(), change), parts_.end());
       if (!term.kept) parts_.push_back(change);
     }
@@ -322,7 +381,8 @@ class PlaneAdviser {
   const std::vector<ModelNotes>& models_;
   Advice& advice_;
   PlaneScales scales_;
-  Overrides parts_;
+  Overrides parts_, channel_changes_;
+  std::string channel_, channel_model_;         // the scene as a channel, where it can be one
   std::map<std::string, std::string> part_of_;  // of terms that can be left out: by what
 };
 

@@ -61,6 +61,15 @@ class Probe {
       sum += height;
       squares += height * height;
     }
+    const auto cells =
+        static_cast<std::size_t>(std::ceil((scene_.upper[0] - scene_.lower[0]) / (2 * scales_.spacing) - 1e-9));
+    scales_.columns = {scene_.lower[0], scene_.lower[0] + 2 * scales_.spacing * static_cast<double>(cells),
+                       scales_.spacing, std::vector<double>(cells, 0), std::vector<double>(cells, 0)};
+    for (const auto& [k, end] : ends) {
+      if (k >= cells) continue;
+      scales_.columns.bottom[k] = end.first - 0.5 * scales_.spacing;
+      scales_.columns.height[k] = end.second - end.first + scales_.spacing;
+    }
     const auto n = static_cast<double>(ends.size());
     scales_.bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
     scales_.depth = sum / n;
