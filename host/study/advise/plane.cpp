@@ -43,7 +43,7 @@ class PlaneAdviser {
   void advise() {
     add_figures();
     advice_.cpu_given = estimated_cost(request_, quiet_output(), registry_);
-    if (scales_.driving < undriven * scene_.gravity) {
+    if (scales_.driving < undriven * scene_.gravity && scales_.drop < 1.5 * scales_.spacing) {
       rest();
       return;
     }

@@ -65,11 +65,15 @@ class Probe {
         static_cast<std::size_t>(std::ceil((scene_.upper[0] - scene_.lower[0]) / (2 * scales_.spacing) - 1e-9));
     scales_.columns = {scene_.lower[0], scene_.lower[0] + 2 * scales_.spacing * static_cast<double>(cells),
                        scales_.spacing, std::vector<double>(cells, 0), std::vector<double>(cells, 0)};
+    double lowest = std::numeric_limits<double>::max(), highest = std::numeric_limits<double>::lowest();
     for (const auto& [k, end] : ends) {
+      lowest = std::min(lowest, end.second);
+      highest = std::max(highest, end.second);
       if (k >= cells) continue;
       scales_.columns.bottom[k] = end.first - 0.5 * scales_.spacing;
       scales_.columns.height[k] = end.second - end.first + scales_.spacing;
     }
+    scales_.drop = highest - lowest;
     const auto n = static_cast<double>(ends.size());
     scales_.bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
     scales_.depth = sum / n;
@@ -126,20 +130,22 @@ class Probe {
   void measure_driving() {
     constexpr int fewest_steps = 60;
     constexpr double longest = 1.5;  // s
-    const double crossings =
-        scales_.sound_speed > 0 ? 2 * std::max(scales_.length, scales_.depth) / scales_.sound_speed : 0;
+    const double way = std::min(2 * std::max(scales_.length, scales_.depth), 8 * scales_.depth);
+    const double crossings = std::min(scales_.sound_speed > 0 ? way / scales_.sound_speed : 0, 0.4 * scene_.time.end);
     const std::vector<double> before = velocities();
     for (const double u : before) scales_.initial_speed += std::abs(u) / static_cast<double>(count());
-    const auto go_on = [&] {
+    const auto go_on = [&](int half) {
       const std::clock_t start = std::clock();
       const double until = simulation_.time() + crossings;
-      for (int k = 0; (k < fewest_steps || simulation_.time() < until) && simulation_.time() < scene_.time.end; ++k) {
+      for (int k = 0;
+           (k < fewest_steps || simulation_.time() < until) && simulation_.time() < 0.5 * scene_.time.end * (1 + half);
+           ++k) {
         scales_.step = simulation_.step(scene_.time.end).dt;
         if (static_cast<double>(std::clock() - start) > longest * CLOCKS_PER_SEC) break;
       }
       return simulation_.time();
     };
-    const double first_time = go_on(), first = gained(before), second_time = go_on(), second = gained(before);
+    const double first_time = go_on(0), first = gained(before), second_time = go_on(1), second = gained(before);
     scales_.driving = second_time > first_time ? std::max(0.0, (second - first) / (second_time - first_time)) : 0;
   }
 
