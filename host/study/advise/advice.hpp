@@ -32,6 +32,9 @@ struct TermTrial {
   bool against_reference = false;  // `with` alone is run, and its velocity compared with the reference that it names
 };
 
+// The last number that the overrides give to a key, or the other.
+double number_in(const Overrides& changes, const std::string& key, double otherwise);
+
 inline TermTrial pair_of(Overrides without, Overrides with) {
   TermTrial trial;
   trial.without = std::move(without);

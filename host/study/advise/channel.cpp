@@ -40,13 +40,6 @@ std::string without_place(const std::string& line) {
   return sentence == std::string::npos ? line : line.substr(sentence + 2);
 }
 
-double number_in(const Overrides& changes, const std::string& key, double otherwise) {
-  for (const std::string& change : changes) {
-    if (change.rfind(key + '=', 0) == 0) otherwise = std::atof(change.c_str() + key.size() + 1);
-  }
-  return otherwise;
-}
-
 class ChannelAdviser {
  public:
   ChannelAdviser(const AdviceRequest& request, const Case& scene, const Registry& registry,

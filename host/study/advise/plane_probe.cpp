@@ -125,15 +125,16 @@ class Probe {
     return acts > 0 ? sum / acts : 0;
   }
 
-  // Columns as a whole, so that settling between particles does not count, and by how much they gain in the second half of a
+  // From rest, for a flow that begins steady has nothing left that drives it. Columns as a whole, so that settling between particles does not count, and by how much they gain in the second half of a
   // time in which sound crosses the water twice and twice again: what settles does not go on.
   void measure_driving() {
     constexpr int fewest_steps = 60;
     constexpr double longest = 1.5;  // s
     const double way = std::min(2 * std::max(scales_.length, scales_.depth), 8 * scales_.depth);
     const double crossings = std::min(scales_.sound_speed > 0 ? way / scales_.sound_speed : 0, 0.4 * scene_.time.end);
-    const std::vector<double> before = velocities();
-    for (const double u : before) scales_.initial_speed += std::abs(u) / static_cast<double>(count());
+    for (const double u : velocities()) scales_.initial_speed += std::abs(u) / static_cast<double>(count());
+    const std::vector<double> before(count(), 0);
+    put(before);
     const auto go_on = [&](int half) {
       const std::clock_t start = std::clock();
       const double until = simulation_.time() + crossings;
@@ -167,7 +168,7 @@ class Probe {
     const double driven = scales_.driving * scene_.time.end;
     const double bound = std::min(2 * wave_speed(), std::max(10 * std::sqrt(scales_.driving * scales_.depth),
                                                              std::sqrt(2 * scales_.driving * scales_.length)));
-    scales_.speed = std::min(driven, bound);
+    scales_.speed = std::max(std::min(driven, bound), scales_.initial_speed);
     if (!scales_.has_drag() || !(scales_.speed > 0)) return;
     double low = 0, high = scales_.speed;
     if (scales_.drag_share > 0.5) {
