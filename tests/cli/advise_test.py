@@ -10,7 +10,7 @@ TANK = """
 name = "tank"
 [domain]
 dimension = 2
-x = [0, "0.2 m"]
+x = [0, "{length} m"]
 z = [0, "0.2 m"]
 smoothing_ratio = 1.5
 [initial]
@@ -83,9 +83,9 @@ class Advise(Scene):
         self.assertGreater(friction["measured"], 0.005)
         self.assertTrue(friction["kept"])
 
-    def tank(self, inside, sound):
-        (self.home / "tank.toml").write_text(TANK.format(inside=inside, sound=sound))
-        return json.loads(self.riffle("advise", "tank.toml", "--json").stdout)
+    def tank(self, inside, sound, *more, length=0.2):
+        (self.home / "tank.toml").write_text(TANK.format(inside=inside, sound=sound, length=length))
+        return json.loads(self.riffle("advise", "tank.toml", "--json", *more).stdout)
 
     def test_a_collapsing_column_is_driven_and_needs_all(self):
         advice = self.tank("z < 0.1 && x < 0.1", 12)
@@ -94,6 +94,17 @@ class Advise(Scene):
         self.assertGreater(figures["driving"], 0.05)
         self.assertEqual(advice["terms"][0]["name"], "change along the flow")
         self.assertTrue(advice["terms"][0]["kept"])
+        self.assertEqual(advice["manifest"], "")
+        depth = next(term for term in advice["terms"] if term["name"] == "vertical acceleration")
+        self.assertGreater(depth["estimate"], 0.1)  # the column is as high as it is long
+
+    def test_shallow_water_in_the_vertical_plane_is_proposed_as_a_channel(self):
+        advice = self.tank("z < (x < 1.5 ? 0.08 : 0.06)", 10, "--tolerance", "0.05", length=3)
+        self.assertIn("depth = { x = [1.5], values = [0.08, 0.06] }", advice["manifest"])
+        (self.home / "channel.toml").write_text(advice["manifest"])
+        sets = [word for change in advice["set"] for word in ("--set", change)]
+        self.riffle("run", "channel.toml", "--quiet", "--out", "channel", *sets, "--set", "output.picture=false")
+        self.assertEqual(self.record(self.home / "channel")["status"], "finished")
 
     def test_more_sound_than_ten_times_the_fastest_wave_is_too_much(self):
         sound = [change for change in self.tank("z < 0.1 && x < 0.1", 60)["set"] if "sound_speed" in change]

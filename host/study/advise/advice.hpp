@@ -25,11 +25,22 @@ struct SceneFigure {
 // Two runs that differ in one term alone, and what they showed.
 struct TermTrial {
   Overrides without, with;
+  std::string manifest_without;  // text of the manifest that `without` belongs to, where it is another
   double difference = 0, cpu_without = 0, cpu_with = 0;
   std::string problem;  // why there is no difference
   bool done = false;
   bool against_reference = false;  // `with` alone is run, and its velocity compared with the reference that it names
 };
+
+// The last number that the overrides give to a key, or the other.
+double number_in(const Overrides& changes, const std::string& key, double otherwise);
+
+inline TermTrial pair_of(Overrides without, Overrides with) {
+  TermTrial trial;
+  trial.without = std::move(without);
+  trial.with = std::move(with);
+  return trial;
+}
 
 // Something that a model may leave out.
 struct Term {
@@ -53,6 +64,7 @@ struct Advice {
   std::vector<std::string> notes;  // sentences
   std::string model;               // the proposal in a few words; "" when there is none
   Overrides proposal;
+  std::string manifest;                    // another one that the proposal belongs to, or ""
   double cpu_given = 0, cpu_proposed = 0;  // s, estimates; NaN where nothing tells
 };
 

@@ -50,7 +50,7 @@ std::string advice_in_words(const Advice& advice, const std::string& manifest) {
     text += '\n';
   }
   text += fmt::format("\nthe least model\n  {}\n", advice.model);
-  std::vector<std::string> command{"riffle", "run", manifest};
+  std::vector<std::string> command{"riffle", "run", advice.manifest.empty() ? manifest : "channel.toml"};
   for (const std::string& change : advice.proposal) {
     command.emplace_back("--set");
     command.push_back(change);
@@ -58,6 +58,7 @@ std::string advice_in_words(const Advice& advice, const std::string& manifest) {
   text += fmt::format("  {}\n", shell_words(command));
   text += fmt::format("  about {} of CPU time; the case as it is: about {}\n", seconds(advice.cpu_proposed),
                       seconds(advice.cpu_given));
+  if (!advice.manifest.empty()) text += "\nchannel.toml\n\n" + advice.manifest;
   for (const std::string& note : advice.notes) text += fmt::format("\nnote: {}\n", note);
   return text;
 }
@@ -90,6 +91,7 @@ std::string advice_in_json(const Advice& advice) {
   }
   json["model"] = advice.model;
   json["set"] = advice.proposal;
+  json["manifest"] = advice.manifest;
   json["cpu_seconds_proposed"] = number(advice.cpu_proposed);
   json["cpu_seconds_given"] = number(advice.cpu_given);
   json["notes"] = advice.notes;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "host/manifest/read.hpp"
@@ -8,6 +9,13 @@
 #include "host/study/advise/plane.hpp"
 
 namespace riffle {
+
+double number_in(const Overrides& changes, const std::string& key, double otherwise) {
+  for (const std::string& change : changes) {
+    if (change.rfind(key + '=', 0) == 0) otherwise = std::atof(change.c_str() + key.size() + 1);
+  }
+  return otherwise;
+}
 
 double Term::measured() const {
   return trial && trial->done ? trial->difference : std::numeric_limits<double>::quiet_NaN();

@@ -40,13 +40,6 @@ std::string without_place(const std::string& line) {
   return sentence == std::string::npos ? line : line.substr(sentence + 2);
 }
 
-double number_in(const Overrides& changes, const std::string& key, double otherwise) {
-  for (const std::string& change : changes) {
-    if (change.rfind(key + '=', 0) == 0) otherwise = std::atof(change.c_str() + key.size() + 1);
-  }
-  return otherwise;
-}
-
 class ChannelAdviser {
  public:
   ChannelAdviser(const AdviceRequest& request, const Case& scene, const Registry& registry,
@@ -132,7 +125,7 @@ class ChannelAdviser {
     motion.contributes = apart(scout_.last(), scout_.states.front());
     motion.how = "last state of a scout against its first";
     const Overrides changes = least_ + with_count(fewest);
-    motion.trial = TermTrial{changes + Overrides{"time.max_steps=1"}, changes, 0, 0, 0, "", false, false};
+    motion.trial = pair_of(changes + Overrides{"time.max_steps=1"}, changes);
     advice_.terms.push_back(motion);
     if (request_.verify) verify();
     advice_.terms.front().kept = motion.matters(request_.tolerance);
@@ -186,7 +179,7 @@ class ChannelAdviser {
         continue;
       }
       term.obstacle.clear();
-      term.trial = TermTrial{least_ + count, changes + count, 0, 0, 0, "", false, false};
+      term.trial = pair_of(least_ + count, changes + count);
       richer_ = &model;
       break;
     }
@@ -219,12 +212,12 @@ class ChannelAdviser {
     if (has_drag()) {
       other = drag_off_ = friction_of(0);
       term.how = "a scout with it against one without";
-      if (!other.empty()) term.trial = TermTrial{least_ + other + count, least_ + count, 0, 0, 0, "", false, false};
+      if (!other.empty()) term.trial = pair_of(least_ + other + count, least_ + count);
     } else {
       other = friction_of(0.316 / std::pow(std::max(4 * scales_.reynolds, 1.0), 0.25));
       term.how = "a scout over a bed as smooth as glass against one without friction";
       term.obstacle = "the case leaves it out";
-      if (!other.empty()) term.trial = TermTrial{least_ + count, least_ + other + count, 0, 0, 0, "", false, false};
+      if (!other.empty()) term.trial = pair_of(least_ + count, least_ + other + count);
     }
     term.contributes = std::numeric_limits<double>::quiet_NaN();
     if (!other.empty()) {
@@ -249,7 +242,7 @@ class ChannelAdviser {
     }
     term.how = fmt::format("a scout at t = {} s against its end", end);
     const Overrides changes = least_ + with_count(cells_);
-    term.trial = TermTrial{changes + Overrides{"time.end=" + end}, changes, 0, 0, 0, "", false, false};
+    term.trial = pair_of(changes + Overrides{"time.end=" + end}, changes);
     early_end_ = "time.end=" + end;
     advice_.terms.push_back(term);
   }
@@ -264,7 +257,7 @@ class ChannelAdviser {
     term.name = "twice as many particles";
     term.contributes = 0.5 * error * cells_ / count_;
     term.how = fmt::format("scouts of {} and {} particles", coarse.particles, scout_.particles);
-    term.trial = TermTrial{least_ + with_count(count_), least_ + with_count(2 * count_), 0, 0, 0, "", false, false};
+    term.trial = pair_of(least_ + with_count(count_), least_ + with_count(2 * count_));
     advice_.terms.push_back(term);
   }
 

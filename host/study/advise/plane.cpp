@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <map>
 
+#include "host/manifest/read.hpp"
+#include "host/study/advise/channel.hpp"
 #include "host/study/advise/plane_probe.hpp"
 #include "host/study/advise/scout.hpp"
+#include "host/study/advise/temporary_folder.hpp"
 #include "host/study/advise/uniform.hpp"
 #include "host/study/advise/verify.hpp"
 #include "host/study/attempt.hpp"
@@ -39,7 +43,8 @@ class PlaneAdviser {
   void advise() {
     add_figures();
     advice_.cpu_given = estimated_cost(request_, quiet_output(), registry_);
-    if (scales_.driving < undriven * scene_.gravity) {
+    const bool still = scales_.initial_speed < 1e-3 * std::sqrt(scene_.gravity * scales_.depth);
+    if (still && scales_.driving < undriven * scene_.gravity && scales_.drop < 1.5 * scales_.spacing) {
       rest();
       return;
     }
@@ -53,7 +58,9 @@ class PlaneAdviser {
         "its stress over the force that drives the water, at the speed above", switch_off("laminar"));
     add_sound();
     if (uniform && is_developed() && propose_column()) return;
+    if (!uniform) judge_as_channel();
     propose_parts();
+    if (!channel_.empty()) propose_channel();
   }
 
  private:
@@ -155,9 +162,11 @@ class PlaneAdviser {
   // s: several times that in which the driving force alone brings the water to its speed.
   [[nodiscard]] double development_time() const { return 3 * scales_.speed / scales_.driving; }
 
+  [[nodiscard]] bool begins_developed() const { return scales_.initial_speed > 0.3 * scales_.speed; }
+
   // Whether the water has the time to come to a steady profile, or begins with one.
   bool is_developed() {
-    if (scene_.time.end >= development_time() || scales_.initial_speed > 0.3 * scales_.speed) return true;
+    if (scene_.time.end >= development_time() || begins_developed()) return true;
     advice_.notes.push_back(
         "the flow is the same everywhere along x but still speeds up at the end: a column of steady flow "
         "is what it would come to");
@@ -252,15 +261,67 @@ class PlaneAdviser {
     return false;
   }
 
+  // What depth-averaging would leave out: the same columns as a channel, judged by its rules.
+  void judge_as_channel() {
+    for (const ModelNotes& model : models_) {
+      if (model.plugin->kind != "equations" || !model.keeps_term(along_the_flow)) continue;
+      const ChannelManifest channel = as_channel(scene_, scales_.columns, model, registry_);
+      if (channel.text.empty()) {
+        advice_.notes.push_back("no depth-averaged model is weighed, for " + channel.obstacle);
+        return;
+      }
+      const TemporaryFolder folder;
+      AdviceRequest request = request_;
+      request.manifest = folder.path() / "channel.toml";
+      request.overrides.clear();
+      request.verify = false;
+      std::ofstream(request.manifest) << channel.text;
+      Advice shallow;
+      try {
+        advise_on_channel(request, read_case(request.manifest, {}, registry_), registry_, models_, shallow);
+      } catch (const std::exception& error) {
+        advice_.notes.push_back(std::string("no depth-averaged model is weighed: ") + error.what());
+        return;
+      }
+      const Term& dispersion = shallow.terms.front();
+      add(vertical_acceleration, dispersion.contributes, "the same columns as a channel: " + dispersion.how, "");
+      Overrides least = shallow.proposal;
+      if (dispersion.trial) least = dispersion.trial->without;
+      advice_.terms.back().trial = pair_of(least, {});
+      advice_.terms.back().trial->manifest_without = channel.text;
+      channel_ = channel.text;
+      channel_changes_ = shallow.proposal;
+      channel_model_ = shallow.model;
+      return;
+    }
+  }
+
+  void propose_channel() {
+    const auto found = std::find_if(advice_.terms.begin(), advice_.terms.end(),
+                                    [](const Term& term) { return term.name == vertical_acceleration; });
+    found->kept = found->matters(request_.tolerance);
+    if (!found->kept) {
+      advice_.manifest = channel_;
+      advice_.proposal = channel_changes_;
+      advice_.model = channel_model_ + ", from the manifest below";
+      const TemporaryFolder folder;
+      AdviceRequest request;
+      request.manifest = folder.path() / "channel.toml";
+      std::ofstream(request.manifest) << channel_;
+      advice_.cpu_proposed = estimated_cost(request, with_quiet(channel_changes_), registry_);
+    }
+  }
+
   void verify() {
-    const double cost = advice_.cpu_given;
     verify_terms(request_,
                  {scene_.lower[0],
                   scene_.upper[0],
                   {scene_.lower[0], scene_.upper[0]},
                   scales_.spacing,
                   scene_.time.end,
-                  [cost](const Overrides&) { return cost; }},
+                  [&](const Overrides& changes) {
+                    return advice_.cpu_given * number_in(changes, "time.end", scene_.time.end) / scene_.time.end;
+                  }},
                  advice_);
   }
 
@@ -270,7 +331,8 @@ class PlaneAdviser {
     trial.against_reference = true;
     trial.without = trial.with = advice_.proposal;
     trial.with.erase(std::find(trial.with.begin(), trial.with.end(), "time.max_steps=1"));
-    const double steady = std::min(scene_.time.end, development_time());
+    const double turns = 20 * scales_.depth / scales_.speed;  // of water that begins as it ends
+    const double steady = std::min(scene_.time.end, begins_developed() ? turns : development_time());
     const double cost = advice_.cpu_given * steady / scene_.time.end;
     if (cost > request_.budget) {
       trial.problem =
@@ -291,13 +353,15 @@ class PlaneAdviser {
   void verify_parts() {
     for (Term& term : advice_.terms) {
       const auto found = part_of_.find(term.name);
-      if (found != part_of_.end()) term.trial = TermTrial{{found->second}, {}, 0, 0, 0, "", false, false};
+      if (found != part_of_.end()) term.trial = pair_of({found->second}, {});
     }
     verify();
     for (Term& term : advice_.terms) {
       if (!term.trial || !term.trial->done) continue;
       term.kept = term.matters(request_.tolerance);
-      const std::string& change = part_of_[term.name];
+      const auto part = part_of_.find(term.name);
+      if (part == part_of_.end()) continue;
+      const std::string& change = part->second;
       parts_.erase(std::remove(parts_.begin(), parts_.end(), change), parts_.end());
       if (!term.kept) parts_.push_back(change);
     }
@@ -322,7 +386,8 @@ class PlaneAdviser {
   const std::vector<ModelNotes>& models_;
   Advice& advice_;
   PlaneScales scales_;
-  Overrides parts_;
+  Overrides parts_, channel_changes_;
+  std::string channel_, channel_model_;         // the scene as a channel, where it can be one
   std::map<std::string, std::string> part_of_;  // of terms that can be left out: by what
 };
 

@@ -61,6 +61,19 @@ class Probe {
       sum += height;
       squares += height * height;
     }
+    const auto cells =
+        static_cast<std::size_t>(std::ceil((scene_.upper[0] - scene_.lower[0]) / (2 * scales_.spacing) - 1e-9));
+    scales_.columns = {scene_.lower[0], scene_.lower[0] + 2 * scales_.spacing * static_cast<double>(cells),
+                       scales_.spacing, std::vector<double>(cells, 0), std::vector<double>(cells, 0)};
+    double lowest = std::numeric_limits<double>::max(), highest = std::numeric_limits<double>::lowest();
+    for (const auto& [k, end] : ends) {
+      lowest = std::min(lowest, end.second);
+      highest = std::max(highest, end.second);
+      if (k >= cells) continue;
+      scales_.columns.bottom[k] = end.first - 0.5 * scales_.spacing;
+      scales_.columns.height[k] = end.second - end.first + scales_.spacing;
+    }
+    scales_.drop = highest - lowest;
     const auto n = static_cast<double>(ends.size());
     scales_.bottom = *std::min_element(z, z + count()) - 0.5 * scales_.spacing;
     scales_.depth = sum / n;
@@ -112,25 +125,28 @@ class Probe {
     return acts > 0 ? sum / acts : 0;
   }
 
-  // Columns as a whole, so that settling between particles does not count, and by how much they gain in the second half of a
+  // From rest, for a flow that begins steady has nothing left that drives it. Columns as a whole, so that settling between particles does not count, and by how much they gain in the second half of a
   // time in which sound crosses the water twice and twice again: what settles does not go on.
   void measure_driving() {
     constexpr int fewest_steps = 60;
     constexpr double longest = 1.5;  // s
-    const double crossings =
-        scales_.sound_speed > 0 ? 2 * std::max(scales_.length, scales_.depth) / scales_.sound_speed : 0;
-    const std::vector<double> before = velocities();
-    for (const double u : before) scales_.initial_speed += std::abs(u) / static_cast<double>(count());
-    const auto go_on = [&] {
+    const double way = std::min(2 * std::max(scales_.length, scales_.depth), 8 * scales_.depth);
+    const double crossings = std::min(scales_.sound_speed > 0 ? way / scales_.sound_speed : 0, 0.4 * scene_.time.end);
+    for (const double u : velocities()) scales_.initial_speed += std::abs(u) / static_cast<double>(count());
+    const std::vector<double> before(count(), 0);
+    put(before);
+    const auto go_on = [&](int half) {
       const std::clock_t start = std::clock();
       const double until = simulation_.time() + crossings;
-      for (int k = 0; (k < fewest_steps || simulation_.time() < until) && simulation_.time() < scene_.time.end; ++k) {
+      for (int k = 0;
+           (k < fewest_steps || simulation_.time() < until) && simulation_.time() < 0.5 * scene_.time.end * (1 + half);
+           ++k) {
         scales_.step = simulation_.step(scene_.time.end).dt;
         if (static_cast<double>(std::clock() - start) > longest * CLOCKS_PER_SEC) break;
       }
       return simulation_.time();
     };
-    const double first_time = go_on(), first = gained(before), second_time = go_on(), second = gained(before);
+    const double first_time = go_on(0), first = gained(before), second_time = go_on(1), second = gained(before);
     scales_.driving = second_time > first_time ? std::max(0.0, (second - first) / (second_time - first_time)) : 0;
   }
 
@@ -152,7 +168,7 @@ class Probe {
     const double driven = scales_.driving * scene_.time.end;
     const double bound = std::min(2 * wave_speed(), std::max(10 * std::sqrt(scales_.driving * scales_.depth),
                                                              std::sqrt(2 * scales_.driving * scales_.length)));
-    scales_.speed = std::min(driven, bound);
+    scales_.speed = std::max(std::min(driven, bound), scales_.initial_speed);
     if (!scales_.has_drag() || !(scales_.speed > 0)) return;
     double low = 0, high = scales_.speed;
     if (scales_.drag_share > 0.5) {

@@ -5,13 +5,16 @@
 
 #include "host/plugins/registry.hpp"
 #include "host/study/advise/advice.hpp"
+#include "host/study/advise/as_channel.hpp"
 
 namespace riffle {
 
 struct PlaneScales {
   std::int64_t particles = 0;
+  WaterColumns columns;
   double spacing = 0, depth = 0, length = 0;  // m: between particles, mean of columns, extent of the water along x
   double bottom = 0;                          // m: level of the lowest water
+  double drop = 0;                            // m: highest less lowest level
   double unevenness = 0;                      // deviation of the columns' heights over their mean
   double driving = 0;                         // m/s2: mean of the magnitude of what accelerates columns along x
   double initial_speed = 0;                   // m/s: mean over the water

@@ -4,39 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "host/study/advise/flow.hpp"
 #include "host/study/advise/profile_file.hpp"
+#include "host/study/advise/temporary_folder.hpp"
 #include "host/study/pool.hpp"
 
 namespace riffle {
 namespace {
 
 constexpr int compared_points = 2000;
-
-// A folder of its own, gone with its contents when the runs have been read.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "riffle-advise-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder can be made for the runs: " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 struct MeasuredRun {
   std::vector<double> depth;  // or height of the surface, along the line
@@ -79,11 +60,11 @@ class Verifier {
     for (Term& term : advice_.terms) {
       if (term.trial) shorten(term);
     }
-    std::vector<Overrides> wanted;
+    std::vector<RunKey> wanted;
     for (const Term& term : advice_.terms) {
       if (!term.trial) continue;
-      if (!term.trial->against_reference) want(term.trial->without, wanted);
-      want(term.trial->with, wanted);
+      if (!term.trial->against_reference) want({term.trial->manifest_without, term.trial->without}, wanted);
+      want({"", term.trial->with}, wanted);
     }
     do_runs(wanted);
     for (Term& term : advice_.terms) {
@@ -97,13 +78,16 @@ class Verifier {
     return std::max(4, static_cast<int>((scene.high - scene.low) / (4 * scene.spacing)));
   }
 
-  void want(const Overrides& changes, std::vector<Overrides>& wanted) {
-    if (runs_.emplace(changes, MeasuredRun{}).second) wanted.push_back(changes);
+  using RunKey = std::pair<std::string, Overrides>;  // text of another manifest, or ""
+
+  void want(const RunKey& run, std::vector<RunKey>& wanted) {
+    if (runs_.emplace(run, MeasuredRun{}).second) wanted.push_back(run);
   }
 
   void shorten(Term& term) {
     TermTrial& trial = *term.trial;
-    const double without = trial.against_reference ? 0 : scene_.cost(trial.without), with = scene_.cost(trial.with);
+    const bool cheap = trial.against_reference || !trial.manifest_without.empty();
+    const double without = cheap ? 0 : scene_.cost(trial.without), with = scene_.cost(trial.with);
     const double longest = std::max(std::isfinite(without) ? without : 0, std::isfinite(with) ? with : 0);
     if (longest <= request_.budget) return;
     const double end = scene_.end * request_.budget / longest;
@@ -111,23 +95,26 @@ class Verifier {
     advice_.notes.push_back(fmt::format("{}: measured up to t = {:.3g} s only", term.name, end));
   }
 
-  void do_runs(const std::vector<Overrides>& wanted) {
+  void do_runs(const std::vector<RunKey>& wanted) {
     const TemporaryFolder folder;
     std::vector<Job> jobs;
     const auto out = [&](std::size_t k) { return folder.path() / std::to_string(k); };
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       Job job;
+      const auto& [text, changes] = wanted[k];
+      const std::filesystem::path other = folder.path() / (std::to_string(k) + ".toml");
+      if (!text.empty()) std::ofstream(other) << text;
       job.command = {std::filesystem::read_symlink("/proc/self/exe").string(),
                      "run",
-                     request_.manifest.string(),
+                     (text.empty() ? request_.manifest : other).string(),
                      "--threads",
                      "1",
                      "--quiet",
                      "--out",
                      out(k).string()};
       for (const auto& path : request_.plugin_path) job.command.insert(job.command.end(), {"--plugin-path", path});
-      for (const Overrides& changes : {request_.overrides, quiet_output(), wanted[k]}) {
-        for (const std::string& change : changes) job.command.insert(job.command.end(), {"--set", change});
+      for (const Overrides& some : {text.empty() ? request_.overrides : Overrides{}, quiet_output(), changes}) {
+        for (const std::string& change : some) job.command.insert(job.command.end(), {"--set", change});
       }
       job.said = folder.path() / (std::to_string(k) + ".txt");
       jobs.push_back(std::move(job));
@@ -148,8 +135,8 @@ class Verifier {
     });
   }
 
-  void read_profile(const std::filesystem::path& file, MeasuredRun& run, const Overrides& changes) const {
-    if (scene_.spacing == 0) {
+  void read_profile(const std::filesystem::path& file, MeasuredRun& run, const RunKey& key) const {
+    if (scene_.spacing == 0 || !key.first.empty()) {
       const auto columns = profile_columns(file, {"x", "depth"});
       run.depth = along_line(line_, columns[0], columns[1]);
       return;
@@ -157,15 +144,15 @@ class Verifier {
     const auto columns = profile_columns(file, {"x", "z"});
     run.depth = surface_along(line_, columns[0], columns[1], scene_.spacing);
     for (const Term& term : advice_.terms) {
-      if (!term.trial || !term.trial->against_reference || term.trial->with != changes) continue;
+      if (!term.trial || !term.trial->against_reference || term.trial->with != key.second) continue;
       const auto speeds = profile_columns(file, {"velocity_x", "velocity_x_exact"});
       run.from_reference = share_apart(speeds[0], speeds[1]);
     }
   }
 
   void judge(TermTrial& trial) {
-    const MeasuredRun& with = runs_[trial.with];
-    const MeasuredRun& without = trial.against_reference ? with : runs_[trial.without];
+    const MeasuredRun& with = runs_[{"", trial.with}];
+    const MeasuredRun& without = trial.against_reference ? with : runs_[{trial.manifest_without, trial.without}];
     trial.problem = !without.problem.empty() ? "without it: " + without.problem
                     : !with.problem.empty()  ? "with it: " + with.problem
                                              : "";
@@ -182,7 +169,7 @@ class Verifier {
   const VerifiedScene& scene_;
   Advice& advice_;
   FlowLine line_;
-  std::map<Overrides, MeasuredRun> runs_;
+  std::map<RunKey, MeasuredRun> runs_;
 };
 
 }  // namespace
