@@ -79,12 +79,11 @@ struct Wcsph {
     static constexpr riffle_read reads[] = {riffle::at_i(f::density), riffle::at_i(f::mass), riffle::at_i(f::position),
                                             riffle::at_i(f::porosity, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::set(wc::particle_volume), riffle::set(wc::pair_pressure),
-                                              riffle::set(wc::inverse_density), riffle::set(wc::excess_density),
-                                              riffle::set(wc::diffusing_volume)};
+                                              riffle::set(wc::excess_density), riffle::set(wc::diffusing_volume)};
     static void of(const Wcsph& s, const riffle::Block& b, const double* phi, const double* pressure,
                    double diffusing) {
       const double *rho = b.in(0), *m = b.in(1), *z = b.in(2, b.dim() - 1);
-      double *volume = b.out(0), *pair = b.out(1), *inverse = b.out(2), *excess = b.out(3), *spreading = b.out(4);
+      double *volume = b.out(0), *pair = b.out(1), *excess = b.out(2), *spreading = b.out(3);
       const double stratification = s.stratification, weight = s.rho0 * s.removed_gravity;
       RIFFLE_EACH(k, b) {
         volume[k] = m[k] / rho[k] / (phi != nullptr ? phi[k] : 1.0);
