@@ -21,7 +21,7 @@ class Probe {
     read_parameters();
     measure_porosity();
     const std::vector<double> at_rest = velocities();
-    if (simulation_.graph().field("drag_rate") >= 0) scales_.viscous_drag = mean_drag(1e-9 * wave_speed());
+    if (simulation_.graph().field("drag_rate") >= 0) scales_.viscous_drag = mean_drag(1e-9);
     put(at_rest);
     measure_driving();
     find_speed();
@@ -166,8 +166,9 @@ class Probe {
   // on all of it, as fast as that lets it.
   void find_speed() {
     const double driven = scales_.driving * scene_.time.end;
-    const double bound = std::min(2 * wave_speed(), std::max(10 * std::sqrt(scales_.driving * scales_.depth),
-                                                             std::sqrt(2 * scales_.driving * scales_.length)));
+    const double waves = scene_.gravity > 0 ? 2 * wave_speed() : std::numeric_limits<double>::max();
+    const double bound = std::min(waves, std::max(10 * std::sqrt(scales_.driving * scales_.depth),
+                                                  std::sqrt(2 * scales_.driving * scales_.length)));
     scales_.speed = std::max(std::min(driven, bound), scales_.initial_speed);
     if (!scales_.has_drag() || !(scales_.speed > 0)) return;
     double low = 0, high = scales_.speed;
