@@ -147,7 +147,21 @@ class Probe {
       return simulation_.time();
     };
     const double first_time = go_on(0), first = gained(before), second_time = go_on(1), second = gained(before);
-    scales_.driving = second_time > first_time ? std::max(0.0, (second - first) / (second_time - first_time)) : 0;
+    const double gain = second_time > first_time ? (second - first) / (second_time - first_time) : 0;
+    scales_.driving = std::max(0.0, gain) + held_back();
+  }
+
+  // What drag takes from the columns now: seepage is steady within a few steps, and driven all the same.
+  double held_back() {
+    if (simulation_.graph().field("drag_rate") < 0) return 0;
+    simulation_.refresh({"drag_rate"});
+    if (simulation_.store().find("drag_rate") == nullptr) return 0;
+    const double *rate = simulation_.store().data("drag_rate"), *u = simulation_.store().data("velocity");
+    std::map<std::size_t, double> columns;
+    for (std::size_t i = 0; i < count(); ++i) columns[column(i)] += rate[i] * u[i];
+    double total = 0;
+    for (const auto& [k, sum] : columns) total += std::abs(sum);
+    return total / static_cast<double>(count());
   }
 
   [[nodiscard]] double gained(const std::vector<double>& before) const {
