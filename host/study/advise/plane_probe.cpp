@@ -186,7 +186,7 @@ class Probe {
     scales_.speed = std::max(std::min(driven, bound), scales_.initial_speed);
     if (!scales_.has_drag() || !(scales_.speed > 0)) return;
     double low = 0, high = scales_.speed;
-    if (scales_.drag_share > 0.5) {
+    if (scales_.drag_share > 0.9) {
       for (int k = 0; k < 30; ++k) {
         const double middle = 0.5 * (low + high);
         (mean_drag(middle) * middle > scales_.driving ? high : low) = middle;
