@@ -34,7 +34,7 @@ nlohmann::json number(double value) {
 std::string advice_in_words(const Advice& advice, const std::string& manifest) {
   std::string text = fmt::format("{}: {}\n\nthe scene\n", advice.case_name, advice.title);
   for (const SceneFigure& figure : advice.figures) {
-    text += fmt::format("  {:>10.3g} {:<3} {}\n", figure.value, figure.unit == "1" ? "" : figure.unit, figure.name);
+    text += fmt::format("  {:>10.3g} {:<4} {}\n", figure.value, figure.unit == "1" ? "" : figure.unit, figure.name);
   }
   text += fmt::format("\nwhat each term contributes (tolerance {})\n  {:<26}{:>10}{:>10}  \n",
                       percent(advice.tolerance), "", "estimate", "measured");

@@ -6,7 +6,8 @@
 //   cells_per_depth = 4             # spacing that it needs, where it needs one
 //   contains = ["drag roughness-layer"]      # of a column: closures of a case that it has too
 //   from = { slope = "equations.bed_slope" } # and its parameters that other plugins of the case have under another name, or what is
-//                                 # measured: "depth of the water", "bottom of the water", "level of the water", "smallest porosity"
+//                                 # measured: "depth of the water", "bottom of the water", "level of the water", "smallest porosity",
+//                                 # "driving over gravity"
 //   remark_where_water_breaks = "a sentence for those who run it so"
 //   [set]                           # as --set; plugins.<kind> stands for the table of that kind, whatever its name
 //   plugins.viscosity.id = "none"

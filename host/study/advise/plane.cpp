@@ -10,6 +10,7 @@
 
 #include "host/manifest/read.hpp"
 #include "host/study/advise/channel.hpp"
+#include "host/study/advise/column.hpp"
 #include "host/study/advise/plane_probe.hpp"
 #include "host/study/advise/scout.hpp"
 #include "host/study/advise/temporary_folder.hpp"
@@ -21,13 +22,6 @@ namespace riffle {
 namespace {
 
 constexpr double undriven = 1e-4;  // acceleration over gravity of water that stays where it is
-
-const PluginChoice* chosen(const Case& scene, const std::string& kind) {
-  for (const PluginChoice& choice : scene.plugins) {
-    if (choice.kind == kind && choice.id != "none") return &choice;
-  }
-  return nullptr;
-}
 
 class PlaneAdviser {
  public:
@@ -43,8 +37,9 @@ class PlaneAdviser {
   void advise() {
     add_figures();
     advice_.cpu_given = estimated_cost(request_, quiet_output(), registry_);
-    const bool still = scales_.initial_speed < 1e-3 * std::sqrt(scene_.gravity * scales_.depth);
-    if (still && scales_.driving < undriven * scene_.gravity && scales_.drop < 1.5 * scales_.spacing) {
+    const double gravity = scene_.gravity > 0 ? scene_.gravity : 9.81;  // of a scene without: as if it had some
+    const bool still = scales_.initial_speed < 1e-3 * std::sqrt(gravity * scales_.depth);
+    if (still && scales_.driving < undriven * gravity && scales_.drop < 1.5 * scales_.spacing) {
       rest();
       return;
     }
@@ -84,7 +79,8 @@ class PlaneAdviser {
     figure("mean_depth", "mean depth of the columns of water", "m", scales_.depth);
     figure("depth_over_length", "depth over length of the water", "1", scales_.depth / scales_.length);
     figure("particles_over_depth", "particles over the depth", "1", scales_.depth / scales_.spacing);
-    figure("driving", "what drives the water along x, over gravity", "1", scales_.driving / scene_.gravity);
+    figure("driving_acceleration", "what drives the water along x", "m/s2", scales_.driving);
+    figure("driving", "the same over gravity", "1", scene_.gravity > 0 ? scales_.driving / scene_.gravity : none);
     figure("speed", "speed that this brings it to", "m/s", scales_.speed);
     figure("froude_number", "Froude number", "1", scales_.speed / std::sqrt(scene_.gravity * scales_.depth));
     figure("reynolds_number", "Reynolds number of the depth", "1", nu > 0 ? scales_.speed * scales_.depth / nu : none);
@@ -109,7 +105,7 @@ class PlaneAdviser {
     Term motion;
     motion.name = "motion";
     motion.contributes = 0;
-    motion.how = fmt::format("columns of water accelerate by {:.1e} of gravity", scales_.driving / scene_.gravity);
+    motion.how = fmt::format("columns of water accelerate by {:.1e} m/s2", scales_.driving);
     advice_.terms.push_back(motion);
     advice_.model = "none: nothing drives the water, and its initial state is the answer; one step shows it";
     advice_.proposal = {"time.max_steps=1"};
@@ -150,7 +146,7 @@ class PlaneAdviser {
     if (!(scales_.sound_speed > 0)) return;
     add("compressibility", std::pow(scales_.speed / scales_.sound_speed, 2), "the square of the Mach number", "");
     const double needed = 10 * std::max(scales_.speed, std::sqrt(scene_.gravity * scales_.depth));
-    if (scales_.sound_speed > 1.2 * needed) {
+    if (needed > 0 && scales_.sound_speed > 1.2 * needed) {
       parts_.push_back(in_slots(fmt::format("plugins.equations.sound_speed={:.2g}", needed), scene_));
       advice_.notes.push_back(
           fmt::format("a speed of sound of {:.2g} m/s is ten times the fastest wave; {:.3g} m/s takes "
@@ -180,63 +176,17 @@ class PlaneAdviser {
     return estimated_cost(one, quiet_output(), registry_);
   }
 
-  // "drag roughness-layer", as notes name closures that a column has too.
-  [[nodiscard]] bool contains_closures(const ModelNotes& model) const {
-    for (const char* kind : {"drag", "turbulence"}) {
-      const PluginChoice* const choice = chosen(scene_, kind);
-      const auto of_kind = [&](const std::string& name) { return name.rfind(kind, 0) == 0; };
-      if (choice == nullptr && std::string(kind) == "turbulence" &&
-          std::any_of(model.contains.begin(), model.contains.end(), of_kind))
-        return false;  // a column with eddies is no model of water without
-      if (choice == nullptr) continue;
-      const std::string name = std::string(kind) + ' ' + choice->id;
-      if (std::find(model.contains.begin(), model.contains.end(), name) == model.contains.end()) return false;
-    }
-    return true;
-  }
-
-  // The value that the case has for a parameter of the column: by what its notes say, else by its name in any closure.
-  [[nodiscard]] std::string value_for(const ModelNotes& model, const ParameterDescription& wanted) const {
-    std::string source = "." + wanted.name;
-    for (const auto& [name, from] : model.from) {
-      if (name != wanted.name) continue;
-      const std::map<std::string, double> measured{{"depth of the water", scales_.depth},
-                                                   {"bottom of the water", scales_.bottom},
-                                                   {"level of the water", scales_.bottom + scales_.depth},
-                                                   {"smallest porosity", scales_.smallest_porosity}};
-      if (const auto one = measured.find(from); one != measured.end()) return fmt::format("{:.12g}", one->second);
-      source = from;
-    }
-    const std::size_t dot = source.find('.');
-    for (const PluginChoice& choice : scene_.plugins) {
-      if (dot > 0 && choice.kind != source.substr(0, dot)) continue;
-      if (dot == 0 && choice.kind != "drag" && choice.kind != "turbulence") continue;
-      for (std::size_t p = 0; p < choice.values.size(); ++p) {
-        const ParameterValue& value = choice.values[p];
-        if (value.name != source.substr(dot + 1)) continue;
-        const ParameterType type = choice.description->parameters[p].type;
-        if (type == ParameterType::choice && wanted.type == ParameterType::choice) {
-          const auto& words = wanted.choices;
-          return std::find(words.begin(), words.end(), value.text) != words.end() ? value.text : "";
-        }
-        if (wanted.type != ParameterType::real) continue;
-        if (value.function != nullptr) return fmt::format("{:.12g}", (*value.function)(scene_.lower[0]));
-        return fmt::format("{:.12g}", value.number);
-      }
-    }
-    return "";
-  }
-
   bool propose_column() {
     std::string obstacle;
     for (const ModelNotes& model : models_) {
-      if (!model.keeps_term(over_the_depth) || model.keeps_term(along_the_flow) || !contains_closures(model)) continue;
+      if (!model.keeps_term(over_the_depth) || model.keeps_term(along_the_flow)) continue;
       const bool has_it = scene_.reference && scene_.reference->plugin.id == model.plugin->id;  // and knows it best
+      if (!has_it && !has_closures_of(model, scene_)) continue;
       Overrides proposal{"time.max_steps=1"};
       if (!has_it) proposal.push_back("reference.id=" + model.plugin->id);
       for (const ParameterDescription& parameter : model.plugin->parameters) {
         if (has_it || !parameter.inherit.empty()) continue;
-        const std::string value = value_for(model, parameter);
+        const std::string value = column_value(model, parameter, scene_, scales_);
         if (!value.empty()) proposal.push_back("reference." + parameter.name + '=' + value);
       }
       Overrides all = request_.overrides;

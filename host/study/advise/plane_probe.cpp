@@ -21,7 +21,7 @@ class Probe {
     read_parameters();
     measure_porosity();
     const std::vector<double> at_rest = velocities();
-    if (simulation_.graph().field("drag_rate") >= 0) scales_.viscous_drag = mean_drag(1e-9 * wave_speed());
+    if (simulation_.graph().field("drag_rate") >= 0) scales_.viscous_drag = mean_drag(1e-9);
     put(at_rest);
     measure_driving();
     find_speed();
@@ -147,7 +147,21 @@ class Probe {
       return simulation_.time();
     };
     const double first_time = go_on(0), first = gained(before), second_time = go_on(1), second = gained(before);
-    scales_.driving = second_time > first_time ? std::max(0.0, (second - first) / (second_time - first_time)) : 0;
+    const double gain = second_time > first_time ? (second - first) / (second_time - first_time) : 0;
+    scales_.driving = std::max(0.0, gain) + held_back();
+  }
+
+  // What drag takes from the columns now: seepage is steady within a few steps, and driven all the same.
+  double held_back() {
+    if (simulation_.graph().field("drag_rate") < 0) return 0;
+    simulation_.refresh({"drag_rate"});
+    if (simulation_.store().find("drag_rate") == nullptr) return 0;
+    const double *rate = simulation_.store().data("drag_rate"), *u = simulation_.store().data("velocity");
+    std::map<std::size_t, double> columns;
+    for (std::size_t i = 0; i < count(); ++i) columns[column(i)] += rate[i] * u[i];
+    double total = 0;
+    for (const auto& [k, sum] : columns) total += std::abs(sum);
+    return total / static_cast<double>(count());
   }
 
   [[nodiscard]] double gained(const std::vector<double>& before) const {
@@ -166,12 +180,13 @@ class Probe {
   // on all of it, as fast as that lets it.
   void find_speed() {
     const double driven = scales_.driving * scene_.time.end;
-    const double bound = std::min(2 * wave_speed(), std::max(10 * std::sqrt(scales_.driving * scales_.depth),
-                                                             std::sqrt(2 * scales_.driving * scales_.length)));
+    const double waves = scene_.gravity > 0 ? 2 * wave_speed() : std::numeric_limits<double>::max();
+    const double bound = std::min(waves, std::max(10 * std::sqrt(scales_.driving * scales_.depth),
+                                                  std::sqrt(2 * scales_.driving * scales_.length)));
     scales_.speed = std::max(std::min(driven, bound), scales_.initial_speed);
     if (!scales_.has_drag() || !(scales_.speed > 0)) return;
     double low = 0, high = scales_.speed;
-    if (scales_.drag_share > 0.5) {
+    if (scales_.drag_share > 0.9) {
       for (int k = 0; k < 30; ++k) {
         const double middle = 0.5 * (low + high);
         (mean_drag(middle) * middle > scales_.driving ? high : low) = middle;
