@@ -16,6 +16,7 @@
 #include "host/cli/common.hpp"
 #include "host/cli/comparison.hpp"
 #include "host/cli/run_report.hpp"
+#include "host/cli/surface.hpp"
 #include "host/output/atomic_file.hpp"
 #include "host/output/checkpoint.hpp"
 #include "host/output/log.hpp"
@@ -73,6 +74,7 @@ class Driver {
     wall_start_ = wall_now();
     cpu_start_ = cpu_now();
     if (case_.reference) comparison_ = std::make_unique<Comparison>(case_, registry_, simulation.services());
+    if (case_.surface) surface_ = std::make_unique<SurfaceComparison>(case_);
     SnapshotWriter snapshots(folder_.path(), simulation.shown_fields());
     if (!resumed.is_null()) {
       snapshots.resume(resumed.at("snapshots").get<std::int64_t>());
@@ -81,10 +83,14 @@ class Driver {
       wall_before_ = resumed.at("wall_seconds").get<double>();
       cpu_before_ = resumed.at("cpu_seconds").get<double>();
       momentum_initial_ = resumed.at("momentum_initial").get<std::vector<double>>();
+      volume_initial_ = resumed.at("volume_initial").get<double>();
       watch_->restore(resumed.at("watch"));
+      if (surface_) surface_->restore(resumed.value("surface", nlohmann::json::array()));
       log_->info("resumed at t = {} s, step {}", simulation.time(), simulation.steps());
     } else {
       momentum_initial_ = simulation.momentum();
+      volume_initial_ = volume_of_water(simulation);
+      if (surface_) surface_->look(simulation);
       snapshots.write(simulation.store(), 0, 0);
     }
     for (const auto& note : simulation.graph().notes()) log_->debug("{}", note);  // in log.txt only
@@ -121,7 +127,8 @@ class Driver {
       const double snapshot = next_multiple(case_.output.snapshot_interval, simulation.time());
       const double profile = next_multiple(case_.output.profile_interval, simulation.time());
       const double checkpoint = next_multiple(case_.output.checkpoint_interval, simulation.time());
-      const double until = std::min({end, snapshot, profile, checkpoint});
+      const double measured = surface_ ? surface_->next(simulation.time()) : std::numeric_limits<double>::infinity();
+      const double until = std::min({end, snapshot, profile, checkpoint, measured});
       while (simulation.time() < until && caught_signal == 0) {
         if (case_.time.max_steps > 0 && simulation.steps() >= case_.time.max_steps) break;
         const StepReport report = simulation.step(until);
@@ -142,6 +149,7 @@ class Driver {
         simulation.refresh(simulation.shown_fields());
         snapshots.write(simulation.store(), simulation.time(), simulation.steps());
       }
+      if (simulation.time() == measured) surface_->look(simulation);
       if (simulation.time() == profile && profile < end) write_profile_to(folder_.profile(profiles_++));
       if (simulation.time() == checkpoint && checkpoint < end) {
         save(snapshots);
@@ -164,6 +172,8 @@ class Driver {
                         {"wall_seconds", wall_before_ + wall_now() - wall_start_},
                         {"cpu_seconds", cpu_before_ + cpu_now() - cpu_start_},
                         {"momentum_initial", momentum_initial_},
+                        {"volume_initial", volume_initial_},
+                        {"surface", surface_ ? surface_->state() : nlohmann::json::array()},
                         {"watch", watch_->state()}};
     save_checkpoint(folder_.path(), {meta.dump(), std::move(state.reals), std::move(state.integers)});
   }
@@ -179,6 +189,9 @@ class Driver {
     report.failure = failure;
     report.limits = limits_;
     report.momentum_initial = momentum_initial_;
+    report.volume_initial = volume_initial_;
+    if (surface_) report.surface = surface_->errors();
+    if (surface_) surface_->write(folder_.path() / "surface.csv");
     report.verdicts = watch_->verdicts();
     report.verdict_seconds = watch_->seconds();
     report.wall_seconds = wall_before_ + wall_now() - wall_start_ - output_seconds_;
@@ -213,10 +226,12 @@ class Driver {
   std::shared_ptr<spdlog::logger> log_;
   Simulation* simulation_ = nullptr;
   std::unique_ptr<Comparison> comparison_;
+  std::unique_ptr<SurfaceComparison> surface_;
   InitialState initial_;
   std::unique_ptr<Watch> watch_;
   std::map<std::string, StepLimit> limits_;
   std::vector<double> momentum_initial_;
+  double volume_initial_ = 0;
   double wall_start_ = 0, cpu_start_ = 0, wall_before_ = 0, cpu_before_ = 0, output_seconds_ = 0;
   std::int64_t profiles_ = 0;
 };
@@ -225,6 +240,7 @@ class Driver {
 nlohmann::json physics_of(nlohmann::json effective) {
   effective.erase("output");
   effective.erase("reference");
+  effective.erase("surface");
   if (effective.contains("time")) effective["time"].erase("end");
   if (effective.contains("time")) effective["time"].erase("max_steps");
   return effective;
