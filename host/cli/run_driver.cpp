@@ -16,6 +16,7 @@
 #include "host/cli/common.hpp"
 #include "host/cli/comparison.hpp"
 #include "host/cli/run_report.hpp"
+#include "host/cli/surface.hpp"
 #include "host/output/atomic_file.hpp"
 #include "host/output/checkpoint.hpp"
 #include "host/output/log.hpp"
@@ -74,6 +75,7 @@ class Driver {
     wall_start_ = wall_now();
     cpu_start_ = cpu_now();
     if (case_.reference) comparison_ = std::make_unique<Comparison>(case_, registry_, simulation.services());
+    if (case_.surface) surface_ = std::make_unique<SurfaceComparison>(case_);
     SnapshotWriter snapshots(folder_.path(), simulation.shown_fields());
     if (!resumed.is_null()) {
       snapshots.resume(resumed.at("snapshots").get<std::int64_t>());
@@ -82,11 +84,15 @@ class Driver {
       wall_before_ = resumed.at("wall_seconds").get<double>();
       cpu_before_ = resumed.at("cpu_seconds").get<double>();
       momentum_initial_ = resumed.at("momentum_initial").get<std::vector<double>>();
+      volume_initial_ = resumed.at("volume_initial").get<double>();
       watch_->restore(resumed.at("watch"));
       if (averages_ && resumed.contains("averages")) averages_->restore(resumed.at("averages"));
+      if (surface_) surface_->restore(resumed.value("surface", nlohmann::json::array()));
       log_->info("resumed at t = {} s, step {}", simulation.time(), simulation.steps());
     } else {
       momentum_initial_ = simulation.momentum();
+      volume_initial_ = volume_of_water(simulation);
+      if (surface_) surface_->look(simulation);
       snapshots.write(simulation.store(), 0, 0);
     }
     for (const auto& note : simulation.graph().notes()) log_->debug("{}", note);  // in log.txt only
@@ -126,7 +132,8 @@ class Driver {
       const double profile = next_multiple(case_.output.profile_interval, simulation.time());
       const double checkpoint = next_multiple(case_.output.checkpoint_interval, simulation.time());
       const double average = next_multiple(case_.output.averages_interval, simulation.time());
-      const double until = std::min({end, snapshot, profile, checkpoint, average});
+      const double measured = surface_ ? surface_->next(simulation.time()) : std::numeric_limits<double>::infinity();
+      const double until = std::min({end, snapshot, profile, checkpoint, average, measured});
       while (simulation.time() < until && caught_signal == 0) {
         if (case_.time.max_steps > 0 && simulation.steps() >= case_.time.max_steps) break;
         const StepReport report = simulation.step(until);
@@ -147,6 +154,7 @@ class Driver {
         simulation.refresh(simulation.shown_fields());
         snapshots.write(simulation.store(), simulation.time(), simulation.steps());
       }
+      if (simulation.time() == measured) surface_->look(simulation);
       if (simulation.time() == profile && profile < end) write_profile_to(folder_.profile(profiles_++));
       if (simulation.time() == average && averages_) averages_->sample(simulation);
       if (simulation.time() == checkpoint && checkpoint < end) {
@@ -170,6 +178,8 @@ class Driver {
                         {"wall_seconds", wall_before_ + wall_now() - wall_start_},
                         {"cpu_seconds", cpu_before_ + cpu_now() - cpu_start_},
                         {"momentum_initial", momentum_initial_},
+                        {"volume_initial", volume_initial_},
+                        {"surface", surface_ ? surface_->state() : nlohmann::json::array()},
                         {"watch", watch_->state()}};
     if (averages_) meta["averages"] = averages_->state();
     save_checkpoint(folder_.path(), {meta.dump(), std::move(state.reals), std::move(state.integers)});
@@ -186,6 +196,9 @@ class Driver {
     report.failure = failure;
     report.limits = limits_;
     report.momentum_initial = momentum_initial_;
+    report.volume_initial = volume_initial_;
+    if (surface_) report.surface = surface_->errors();
+    if (surface_) surface_->write(folder_.path() / "surface.csv");
     report.verdicts = watch_->verdicts();
     if (averages_) {
       report.averages = averages_->result();
@@ -225,11 +238,13 @@ class Driver {
   std::shared_ptr<spdlog::logger> log_;
   Simulation* simulation_ = nullptr;
   std::unique_ptr<Comparison> comparison_;
+  std::unique_ptr<SurfaceComparison> surface_;
   InitialState initial_;
   std::unique_ptr<Watch> watch_;
   std::unique_ptr<Averages> averages_;
   std::map<std::string, StepLimit> limits_;
   std::vector<double> momentum_initial_;
+  double volume_initial_ = 0;
   double wall_start_ = 0, cpu_start_ = 0, wall_before_ = 0, cpu_before_ = 0, output_seconds_ = 0;
   std::int64_t profiles_ = 0;
 };
@@ -238,6 +253,7 @@ class Driver {
 nlohmann::json physics_of(nlohmann::json effective) {
   effective.erase("output");
   effective.erase("reference");
+  effective.erase("surface");
   if (effective.contains("time")) effective["time"].erase("end");
   if (effective.contains("time")) effective["time"].erase("max_steps");
   return effective;

@@ -193,6 +193,15 @@ std::filesystem::path draw_run(const std::filesystem::path& folder, Simulation& 
   return result.drawn ? folder / "picture.png" : std::filesystem::path(result.message);
 }
 
+double volume_of_water(const Simulation& simulation) {
+  const ParticleStore& store = simulation.store();
+  if (store.find("mass") == nullptr || store.find("density") == nullptr) return 0;
+  const double *m = store.data("mass"), *rho = store.data("density");
+  long double sum = 0;
+  for (std::size_t i = 0; i < water(simulation); ++i) sum += m[i] / rho[i];
+  return static_cast<double>(sum);
+}
+
 RunRecord make_record(Simulation& simulation, const Registry& registry, const Comparison* comparison,
                       const RunReport& report) {
   const Case& scene = simulation.scene();
@@ -234,6 +243,11 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
       for (int c = 0; c < scene.dimension; ++c) u2 += std::pow(simulation.store().data("velocity", c)[i], 2);
       record.momentum.scale += to_mass * amount[i] * std::sqrt(u2);
     }
+  }
+  record.surface = report.surface;
+  if (report.volume_initial > 0) {
+    record.volume = VolumeLedger{report.volume_initial, volume_of_water(simulation),
+                                 report.volume_initial + (ledger.in - ledger.out) / scene.density};
   }
   record.limits = report.limits;
   record.overrides = scene.overrides;
@@ -319,6 +333,11 @@ std::string summary(const RunRecord& record, const Case& scene, const RunReport&
     text += fmt::format("  {} against {}: L2 = {:.4g} (eq. 17), L1 = {:.4g}, Linf = {:.4g}\n", field,
                         scene.reference->plugin.id, e.l2, e.l1, e.linf);
   }
+  for (const SurfaceError& e : record.surface) {
+    text += fmt::format("  surface at t = {:.4g} s: RMSE = {:.2f} mm over {} points, mean {:+.2f} mm\n", e.time,
+                        1e3 * e.rmse, e.points, 1e3 * e.bias);
+  }
+  if (record.volume) text += fmt::format("  volume of the water: {:+.3g} %\n", 100 * record.volume->change());
   const double per_step = 1e6 * record.cpu_seconds /
                           std::max(1.0, static_cast<double>(record.particles) * static_cast<double>(record.steps));
   text +=

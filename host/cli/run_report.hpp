@@ -24,12 +24,17 @@ struct RunReport {
   std::string failure;  // empty: it reached its end
   std::map<std::string, StepLimit> limits;
   std::vector<double> momentum_initial;
+  double volume_initial = 0;  // of the water; 0: its particles have no density
+  std::vector<SurfaceError> surface;
   double wall_seconds = 0, cpu_seconds = 0, output_seconds = 0, verdict_seconds = 0;
   std::string resumed_from;
   std::vector<Verdict> verdicts;  // of the watch
   std::filesystem::path picture;
   std::optional<FlowAverages> averages;
 };
+
+// Sum of m / rho over the water, in m3 or per m of width in m2; 0 where particles have no mass or no density.
+double volume_of_water(const Simulation& simulation);
 
 RunRecord make_record(Simulation& simulation, const Registry& registry, const Comparison* comparison,
                       const RunReport& report);

@@ -68,6 +68,10 @@ struct ReferenceControl {
   std::optional<std::array<double, 2>> region;  // of x: particles outside are left out
 };
 
+struct SurfaceControl {  // measured free surfaces: by time [s], points x and level [m]
+  std::map<double, std::vector<std::array<double, 2>>> points;
+};
+
 struct Case {
   std::string name, title;
   std::filesystem::path file;
@@ -83,6 +87,7 @@ struct Case {
   std::vector<std::string> initial_from_reference;  // fields that begin as the reference has them at t = 0
   std::vector<PluginChoice> plugins;                // in the order of the manifest, reference excluded
   std::optional<ReferenceControl> reference;
+  std::optional<SurfaceControl> surface;
   TimeControl time;
   OutputControl output;
   std::vector<std::string> overrides;  // "key=value" as given with --set

@@ -66,6 +66,16 @@ ManifestKey formed(ManifestKey made, Form form) {
   return made;
 }
 
+ManifestKey text_default(ManifestKey made, const std::string& value) {
+  made.value.fallback_text = value;
+  return made;
+}
+ManifestKey file_key(const std::string& table, const std::string& name, const std::string& doc) {
+  ManifestKey made = key(table, name, ParameterType::text, doc);
+  made.value.path = true;
+  return made;
+}
+
 std::vector<std::string> kinds_of_slots() {
   std::vector<std::string> kinds = plugin_kinds();
   kinds.erase(std::remove(kinds.begin(), kinds.end(), "reference"), kinds.end());
@@ -144,6 +154,11 @@ std::vector<ManifestKey> make_keys() {
       optional(formed(
           real("reference", "region", "m", -none, none, "extent in x: particles outside are left out of the errors"),
           Form::interval)),
+
+      required(file_key("surface", "csv", "measured levels of the free surface: a table in CSV, in SI units")),
+      text_default(key("surface", "time", text, "its column of times"), "t"),
+      text_default(key("surface", "x", text, "its column of abscissae"), "x"),
+      text_default(key("surface", "level", text, "its column of levels"), "z"),
   };
 }
 
@@ -186,6 +201,7 @@ const std::vector<ManifestTable>& manifest_tables() {
       {"time", true, "how long, and in which steps"},
       {"output", false, "what is written"},
       {"reference", false, "the solution to compare with, a plugin of kind reference"},
+      {"surface", false, "measured free surfaces to compare with"},
   };
   return tables;
 }

@@ -137,6 +137,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   read_plugins(reading);
   read_initial_fields(reading);
   read_reference(reading);
+  read_surface(reading);
   reading.mistakes.throw_if_any();
   reading.result.effective = reading.effective.dump(2);
   return std::move(reading.result);

@@ -21,6 +21,9 @@ void read_initial_fields(Reading& reading);
 // [reference].
 void read_reference(Reading& reading);
 
+// [surface].
+void read_surface(Reading& reading);
+
 // One plugin: id, parameters and defaults, from the table [`shown`]. Keys in `besides` are left to the caller. The kind
 // is known. Nothing when the plugin is not.
 std::optional<PluginChoice> read_plugin(Reading& reading, const TomlNode& table, const std::string& shown,

@@ -1,5 +1,7 @@
 #include "host/output/run_record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +50,27 @@ Json errors_of(const RunRecord& record) {
     all[field] = {{"l1", number(e.l1)}, {"l2", number(e.l2)},   {"linf", number(e.linf)},
                   {"count", e.count},   {"ignored", e.ignored}, {"normalisation", e.normalisation}};
   }
+  if (!record.surface.empty()) {
+    Json by_time = Json::object(), bias = Json::object(), points = Json::object();
+    double sum = 0;
+    for (const SurfaceError& e : record.surface) {
+      const std::string time = fmt::format("{}", e.time);
+      by_time[time] = number(e.rmse);
+      bias[time] = number(e.bias);
+      points[time] = e.points;
+      sum += e.rmse / static_cast<double>(record.surface.size());
+    }
+    all["surface"] = {
+        {"rmse", number(sum)}, {"rmse_by_time", by_time}, {"bias_by_time", bias}, {"points_by_time", points}};
+  }
   return all;
+}
+
+Json volume_of(const RunRecord& record) {
+  if (!record.volume) return nullptr;
+  return {{"initial", number(record.volume->initial)},
+          {"final", number(record.volume->final)},
+          {"change", number(record.volume->change())}};
 }
 
 Json extrema_of(const RunRecord& record) {
@@ -67,6 +89,7 @@ Json ledger_of(const RunRecord& record) {
             {"out", number(mass.out)},
             {"final", number(mass.final)},
             {"imbalance", number(mass.imbalance())}}},
+          {"volume", volume_of(record)},
           {"momentum",
            {{"initial", numbers(record.momentum.initial)},
             {"final", numbers(record.momentum.final)},

@@ -69,6 +69,17 @@ struct FlowAverages {
   std::optional<double> balance{}, drag_share{};   // of what drives the water: held back in all; by drag
 };
 
+struct SurfaceError {                   // of the free surface against measured levels
+  double time = 0, rmse = 0, bias = 0;  // s, m, m (computed less measured)
+  std::int64_t points = 0;
+};
+
+struct VolumeLedger {  // of the water, m / rho; per m of width in the vertical plane
+  double initial = 0, final = 0,
+         expected = 0;  // expected: initial and what boundaries brought and took, at rest density
+  [[nodiscard]] double change() const { return (final - expected) / initial; }
+};
+
 struct RunRecord {
   RunStatus status = RunStatus::finished;
   std::string message;  // why it failed or is suspect: one sentence; empty otherwise
@@ -81,6 +92,8 @@ struct RunRecord {
   std::map<std::string, Extrema> extrema;
   MassLedger mass;
   MomentumLedger momentum;
+  std::optional<VolumeLedger> volume;
+  std::vector<SurfaceError> surface;
   std::map<std::string, StepLimit> limits;
   std::vector<PluginRecord> plugins;
   std::vector<Verdict> verdicts;

@@ -212,16 +212,16 @@ TEST_F(ManifestMistakes, KindsMustExistAndAgreeWithTheNameOfTheTable) {
   EXPECT_EQ(when("[plugins.viscosity]", "[plugins.friction]"),
             (Lines{"case.toml:18:10: plugins.friction.kind is missing, as \"friction\" is no kind itself; it must be "
                    "\"equations\", \"kernel\", \"viscosity\", \"drag\", \"turbulence\", \"boundary\", \"filter\", "
-                   "\"bed\" or \"width\""}));
+                   "\"bed\", \"width\" or \"porosity\""}));
   EXPECT_EQ(when("[plugins.viscosity]", "[plugins.viscocity]"),
             (Lines{"case.toml:18:10: plugins.viscocity.kind is missing, as \"viscocity\" is no kind itself; it must be "
                    "\"equations\", \"kernel\", \"viscosity\", \"drag\", \"turbulence\", \"boundary\", \"filter\", "
-                   "\"bed\" or \"width\"; did you "
+                   "\"bed\", \"width\" or \"porosity\"; did you "
                    "mean [plugins.viscosity]?"}));
-  EXPECT_EQ(
-      when("[plugins.viscosity]", "[plugins.friction]\nkind = \"draag\""),
-      (Lines{"case.toml:19:8: plugins.friction.kind must be \"equations\", \"kernel\", \"viscosity\", \"drag\", "
-             "\"turbulence\", \"boundary\", \"filter\", \"bed\" or \"width\", got \"draag\"; did you mean \"drag\"?"}));
+  EXPECT_EQ(when("[plugins.viscosity]", "[plugins.friction]\nkind = \"draag\""),
+            (Lines{"case.toml:19:8: plugins.friction.kind must be \"equations\", \"kernel\", \"viscosity\", \"drag\", "
+                   "\"turbulence\", \"boundary\", \"filter\", \"bed\", \"width\" or \"porosity\", got \"draag\"; did "
+                   "you mean \"drag\"?"}));
   EXPECT_EQ(when("[plugins.viscosity]", "[plugins.viscosity]\nkind = \"drag\""),
             (Lines{"case.toml:19:8: plugins.viscosity.kind must be \"viscosity\", as the name of the table says, got "
                    "\"drag\""}));

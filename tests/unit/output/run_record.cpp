@@ -32,6 +32,7 @@ RunRecord sample() {
   r.verdicts.push_back({"mass", "mass is conserved to 1e-16", Severity::note});
   r.overrides = {"time.end=6"};
   r.manifest = R"({"time": {"end": 6.0}})";
+  r.volume = VolumeLedger{1, 1, 1};
   r.dam = DepthStep{100, 10, 5};
   r.fronts = {44, 43, 42, 8, 7};
   r.neighbours = NeighbourStatistics{7.9, 4, 8};
