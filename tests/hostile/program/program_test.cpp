@@ -200,7 +200,7 @@ TEST(Program, NewRefusesInOneLine) {
   EXPECT_EQ(kind.code, 2);
   EXPECT_EQ(kind.text,
             "there is no kind \"drog\"; kinds are equations, kernel, viscosity, drag, turbulence, boundary, filter, "
-            "bed, width, reference; did you mean \"drag\"?\n");
+            "bed, width, porosity, reference; did you mean \"drag\"?\n");
   const Outcome id = riffle_program("new drag My_Drag" + here);
   EXPECT_EQ(id.code, 2);
   EXPECT_EQ(id.text, "\"My_Drag\" is no name for a plugin: small letters, digits and hyphens, such as my-drag\n");

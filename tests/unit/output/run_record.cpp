@@ -38,6 +38,9 @@ RunRecord sample() {
   r.neighbours = NeighbourStatistics{7.9, 4, 8};
   r.averages = FlowAverages{};
   r.averages->samples = 1;
+  for (auto* row : {&r.averages->z, &r.averages->velocity, &r.averages->rms_x, &r.averages->rms_z,
+                    &r.averages->modelled, &r.averages->resolved, &r.averages->virial, &r.averages->pressure})
+    *row = {0.5};
   return r;
 }
 

@@ -44,7 +44,7 @@ TEST(Descriptor, TheKindIsOneOfThose) {
   EXPECT_EQ(
       refusal_after([](Toy& t) { t.plugin.kind = "friction"; }),
       Lines{"toy.so: friction \"toy\": there is no kind \"friction\"; kinds are equations, kernel, viscosity, drag, "
-            "turbulence, boundary, filter, bed, width, reference"});
+            "turbulence, boundary, filter, bed, width, porosity, reference"});
 }
 
 struct Rule {
