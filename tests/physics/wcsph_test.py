@@ -5,9 +5,11 @@ import csv
 import math
 import shutil
 import sys
-import unittest
+from pathlib import Path
 
-from open_channel_test import Channel, SOURCE  # the scene's folder, and `riffle` within it
+from scene import Scene, main
+
+CASES = Path(__file__).resolve().parents[2] / "cases"
 
 
 def rows(path):
@@ -15,12 +17,12 @@ def rows(path):
         return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(l for l in file if l[0] != "#")]
 
 
-class WeaklyCompressible(Channel):
-    def case(self, name, *sets, out="out"):
+class WeaklyCompressible(Scene):
+    def flow(self, name, *sets, out="out"):
         overrides = [word for text in sets for word in ("--set", text)]
-        self.riffle("run", str(SOURCE / "cases" / name), "--out", out, "--threads", "1", "--quiet", "--overwrite",
+        self.riffle("run", str(CASES / name), "--out", out, "--threads", "1", "--quiet", "--overwrite",
                     *overrides)
-        return self.record(out)
+        return self.record(self.home / out)
 
     def velocity(self, record):
         return record["ledger"]["momentum"]["final"][0] / record["ledger"]["mass"]["final"]
@@ -29,7 +31,7 @@ class WeaklyCompressible(Channel):
     # (g H / c0^2 = 1 %) and as much noise. Water at rest: 1 % of c0 at most, where its prototype had 0.8 %.
     def test_still_water_is_hydrostatic_with_either_wall(self):
         for wall in ("dummy-wall", "adami-wall"):
-            record = self.case("hydrostatic/column.toml", "time.end=1", "output.picture=false",
+            record = self.flow("hydrostatic/column.toml", "time.end=1", "output.picture=false",
                                f"plugins.walls.id={wall}")
             self.assertEqual(record["status"], "finished")
             off = [row["pressure"] - 9810 * (0.1 - row["z"]) for row in rows(self.home / "out/profile.csv")]
@@ -47,7 +49,7 @@ class WeaklyCompressible(Channel):
         found = {}
         for name, sets in (("wendland", ()), ("wendland dynamic", dynamic), ("cubic", cubic),
                            ("cubic dynamic", cubic + dynamic)):
-            record = self.case("lock-test/slope.toml", "output.picture=false", *sets)
+            record = self.flow("lock-test/slope.toml", "output.picture=false", *sets)
             found[name] = self.velocity(record) / (9.81 * 0.004 * record["time"])
         print("lock test U / (g S0 t):", found, file=sys.stderr)
         self.assertGreater(found["wendland"], 0.98)
@@ -59,9 +61,9 @@ class WeaklyCompressible(Channel):
     # The front against Martin & Moyce (1952) and Koshizuka & Oka (1996): particles are early, as always without the
     # gate and the friction of the flume; 15 % is what separates the two experiments at most (T = 1.2 to 3).
     def test_the_front_of_a_collapsing_column(self):
-        self.case("dam-break-2d/martin-moyce.toml", "output.picture=false", "initial.particles.spacing=7.3e-3",
+        self.flow("dam-break-2d/martin-moyce.toml", "output.picture=false", "initial.particles.spacing=7.3e-3",
                   "output.profiles=0.05", "time.end=0.25", "output.snapshots=0")
-        with open(SOURCE / "cases/dam-break-2d/dambreak_front_martinmoyce_koshizuka.csv") as file:
+        with open(CASES / "dam-break-2d/dambreak_front_martinmoyce_koshizuka.csv") as file:
             data = [(float(r["T"]), float(r["Z"])) for r in csv.DictReader(l for l in file if l[0] != "#")]
         for k, t in enumerate((0.05, 0.1, 0.15, 0.2)):
             scaled = t * math.sqrt(2 * 9.81 / 0.146)
@@ -75,11 +77,11 @@ class WeaklyCompressible(Channel):
     def test_a_periodic_channel_goes_on_bit_by_bit_with_its_averages(self):
         short = ("time.end=0.4", "output.averages=0.02", "output.averages_from=0.1", "output.checkpoint=0.2",
                  "output.picture=false")
-        whole = self.case("lock-test/slope.toml", *short, out="whole")
+        whole = self.flow("lock-test/slope.toml", *short, out="whole")
         shutil.copytree(self.home / "whole", self.home / "half")
         (self.home / "half/run.json").unlink()
         self.riffle("run", "--resume", "half", "--quiet", "--threads", "1")
-        half = self.record("half")
+        half = self.record(self.home / "half")
         self.assertEqual((self.home / "whole/profile.csv").read_text(), (self.home / "half/profile.csv").read_text())
         for key in ("profiles", "stress", "balance"):
             self.assertEqual(whole[key], half[key], key)
@@ -87,4 +89,4 @@ class WeaklyCompressible(Channel):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    main()
