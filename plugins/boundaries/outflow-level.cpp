@@ -78,17 +78,17 @@ struct OutflowLevel {
   void refill(const riffle_editor& e, std::vector<std::int64_t>& buffer, const riffle::EndProfile& in) const {
     const double l = riffle::OpenEnd::spacing(e), width = riffle::OpenEnd::width(e);
     const double *x = riffle::OpenEnd::read(e, "position", 0), *z = riffle::OpenEnd::read(e, "position", 1);
-    std::vector<std::int64_t> outermost(in.velocity.size(), -1);
+    std::vector<std::int64_t> outermost;
     for (const std::int64_t k : buffer) {
       const auto row = static_cast<std::size_t>((z[k] - end.bed()) / l);
-      if (row >= outermost.size()) continue;
+      if (row >= outermost.size()) outermost.resize(row + 1, -1);
       if (outermost[row] < 0 || end.inside_by(x[k]) < end.inside_by(x[outermost[row]])) outermost[row] = k;
     }
-    for (std::size_t row = 0; row < outermost.size(); ++row) {
-      const std::int64_t k = outermost[row];
-      if (k < 0 || !(end.inward() * in.velocity[row] > 0)) continue;
-      double out = -end.inside_by(riffle::OpenEnd::read(e, "position", 0)[k]);
+    for (const std::int64_t k : outermost) {
+      if (k < 0) continue;
       const double at = riffle::OpenEnd::read(e, "position", 1)[k];
+      if (!(end.inward() * in.at(in.velocity, at) > 0)) continue;
+      double out = -end.inside_by(riffle::OpenEnd::read(e, "position", 0)[k]);
       for (out += l; out <= width; out += l) buffer.push_back(end.add(e, k, out, at));
     }
   }

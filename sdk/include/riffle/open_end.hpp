@@ -21,18 +21,20 @@
 
 namespace riffle {
 
-// Means by height of the water inside, in rows of one spacing from the bed up.
+// Means of the water inside, by rows of one spacing from the bed up: the rows that hold any, with the mean height of what they
+// hold. Means at the middles of rows instead would spread the profile a little each time the buffer takes it.
 struct EndProfile {
-  double bottom = 0, row = 1, depth = 0;  // m
-  std::vector<double> volume, velocity, eddy_viscosity;
+  double depth = 0;  // m: volume of the water per length
+  std::vector<double> z, velocity, eddy_viscosity;
 
-  // Linear between the middles of the rows, constant beyond the last ones.
-  [[nodiscard]] double at(const std::vector<double>& values, double z) const {
-    if (values.empty()) return 0;
-    const double place = std::clamp((z - bottom) / row - 0.5, 0.0, static_cast<double>(values.size() - 1));
-    const auto k = std::min(static_cast<std::size_t>(place), values.size() - 1);
-    const double part = place - static_cast<double>(k);
-    return k + 1 < values.size() ? (1 - part) * values[k] + part * values[k + 1] : values[k];
+  // Linear between the rows, constant beyond the lowest and the highest.
+  [[nodiscard]] double at(const std::vector<double>& values, double level) const {
+    if (z.empty()) return 0;
+    const auto k = static_cast<std::size_t>(std::upper_bound(z.begin(), z.end(), level) - z.begin());
+    if (k == 0) return values.front();
+    if (k == z.size()) return values.back();
+    const double part = (level - z[k - 1]) / (z[k] - z[k - 1]);
+    return (1 - part) * values[k - 1] + part * values[k];
   }
 };
 
@@ -76,9 +78,7 @@ class OpenEnd {
 
   [[nodiscard]] EndProfile inside(const riffle_editor& e) const {
     EndProfile p;
-    p.bottom = bed_;
-    p.row = spacing(e);
-    const double half = std::ceil(reach(e) / p.row - 1e-9) * p.row;
+    const double row = spacing(e), half = std::ceil(reach(e) / row - 1e-9) * row;
     if (length_ < 4 * half)
       throw std::invalid_argument("the domain of " + std::to_string(length_) + " m must be at least " +
                                   std::to_string(4 * half) +
@@ -86,30 +86,27 @@ class OpenEnd {
     const double *x = read(e, "position", 0), *z = read(e, "position", 1), *u = read(e, "velocity", 0);
     const double *m = read(e, "mass"), *rho = read(e, "density");
     const double *phi = e.read(e.context, "porosity", 0), *eddy = e.read(e.context, "eddy_viscosity", 0);
-    const auto add = [&](std::size_t k, double v, std::int64_t i) {
-      if (k >= p.volume.size())
-        p.volume.resize(k + 1, 0), p.velocity.resize(k + 1, 0), p.eddy_viscosity.resize(k + 1, 0);
-      p.volume[k] += v;
-      p.velocity[k] += v * u[i];
-      if (eddy != nullptr) p.eddy_viscosity[k] += v * eddy[i];
+    struct Sum {
+      double volume = 0, z = 0, u = 0, eddy = 0;
     };
+    std::vector<Sum> sums;
     for (std::int64_t i = 0; i < e.count && e.role[i] == RIFFLE_FLUID; ++i) {
       const double off = std::abs(inside_by(x[i]) - half) / half;
       if (!(off < 1)) continue;
       const double v = m[i] / (rho[i] * (phi != nullptr ? phi[i] : 1.0)) * (1 - off) / half;
       p.depth += v;
-      const double place = std::clamp((z[i] - bed_) / p.row - 0.5, 0.0, highest), part = place - std::floor(place);
-      add(static_cast<std::size_t>(place), (1 - part) * v, i);
-      if (part > 0) add(static_cast<std::size_t>(place) + 1, part * v, i);
+      const auto k = static_cast<std::size_t>(std::clamp((z[i] - bed_) / row, 0.0, highest));
+      if (k >= sums.size()) sums.resize(k + 1);
+      sums[k].volume += v;
+      sums[k].z += v * z[i];
+      sums[k].u += v * u[i];
+      sums[k].eddy += eddy != nullptr ? v * eddy[i] : 0;
     }
-    for (std::size_t k = 0; k < p.volume.size(); ++k) {
-      if (p.volume[k] > 1e-3 * p.row) {
-        p.velocity[k] /= p.volume[k];
-        p.eddy_viscosity[k] /= p.volume[k];
-      } else {  // too little to tell; as below
-        p.velocity[k] = k > 0 ? p.velocity[k - 1] : 0;
-        p.eddy_viscosity[k] = k > 0 ? p.eddy_viscosity[k - 1] : 0;
-      }
+    for (const Sum& sum : sums) {
+      if (sum.volume < least * row) continue;
+      p.z.push_back(sum.z / sum.volume);
+      p.velocity.push_back(sum.u / sum.volume);
+      p.eddy_viscosity.push_back(sum.eddy / sum.volume);
     }
     return p;
   }
@@ -170,7 +167,7 @@ class OpenEnd {
   }
 
  private:
-  static constexpr double highest = 1e6;  // rows
+  static constexpr double highest = 1e6, least = 0.1;  // rows; share of a row that is one
   // Both ends may have buffers of one role. A particle of this end that is at the other one was taken there.
   [[nodiscard]] bool mine(const riffle_editor& e, std::int64_t k) const {
     return inside_by(read(e, "position", 0)[k]) < 0.5 * length_;
