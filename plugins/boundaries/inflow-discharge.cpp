@@ -28,12 +28,10 @@ struct InflowDischarge {
                        "shape of the profile over z, of any scale; that of the water inside if not given"),
       riffle::function("level", "m", 0, "of the water at the end; that of the water inside if not given"),
       riffle::real("relaxation", "s", 0, 0, 1e6, "time in which the buffer follows the water inside; 0: sqrt(d / g)"),
-      riffle::choice("end", "x_min|x_max", "x_min", "which end of the domain"),
-      riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN),
-      riffle::inherited("density", "kg.m-3", "fluid.density", 0, 1e5, "reference density rho0", RIFFLE_ABOVE_MIN)};
+      RIFFLE_OPEN_END_PARAMETERS("x_min")};
 
   explicit InflowDischarge(const riffle::Values& v)
-      : end(v.word("end") == "x_min", RIFFLE_INFLOW, v.number("density")),
+      : end(v, RIFFLE_INFLOW),
         relaxation(v.number("relaxation")),
         gravity(v.number("gravity")),
         discharge(v.function("discharge")),

@@ -7,7 +7,7 @@
 // inwards, water enters at the height of what is there. The level may vary in time: a tide, a gate.
 // Source: Federico et al. (2012). Not in it: supercritical outflow, which a level does not reach (use outflow-frozen), waves
 // that leave (a level sends them back), a sloping bed beyond the end, three dimensions.
-#include <riffle/open_end.hpp>
+#include <riffle/buffer_water.hpp>
 #include <riffle/sdk.hpp>
 #include <string>
 #include <vector>
@@ -20,56 +20,26 @@ struct OutflowLevel {
   static constexpr std::uint32_t dims = 1u << 2;
   static constexpr riffle_parameter parameters[] = {
       riffle::function("level", "m", 0, "of the water at the end, bed included", RIFFLE_REQUIRED),
-      riffle::choice("end", "x_min|x_max", "x_max", "which end of the domain"),
-      riffle::inherited("density", "kg.m-3", "fluid.density", 0, 1e5, "reference density rho0", RIFFLE_ABOVE_MIN)};
+      RIFFLE_OPEN_END_PARAMETERS("x_max")};
 
-  explicit OutflowLevel(const riffle::Values& v)
-      : end(v.word("end") == "x_min", RIFFLE_OUTFLOW, v.number("density")), level(v.function("level")) {}
+  explicit OutflowLevel(const riffle::Values& v) : end(v, RIFFLE_OUTFLOW), level(v.function("level")) {}
   void connect(const riffle_services& s) { end.connect(s); }
 
   void begin(const riffle_editor& e) const {
     if (e.count == 0) return;
-    const double l = riffle::OpenEnd::spacing(e), top = level_at(e);
+    const double top = level_at(e);
     const riffle::EndProfile in = end.inside(e);
-    std::vector<std::int64_t> buffer;
-    for (double z = end.bed() + 0.5 * l; z < top; z += l) {
-      for (double out = 0.5 * l; out < riffle::OpenEnd::width(e); out += l) buffer.push_back(end.add(e, 0, out, z));
-    }
-    const double* phi = e.read(e.context, "porosity", 0);
-    double* mass = e.write(e.context, "mass", 0);
-    for (const std::int64_t k : buffer)
-      mass[k] =
-          (phi != nullptr ? phi[k] : 1) * l * l * end.density(e, top - riffle::OpenEnd::read(e, "position", 1)[k]);
-    write(e, buffer, in, top);
+    write(e, riffle::fill_beyond(end, e, top), in, top);
     end.press_floor(e, top, end.add_floor(e));
   }
 
   void edit(const riffle_editor& e) const {
     if (e.count == 0) return;
-    const double top = level_at(e), width = riffle::OpenEnd::width(e);
+    const double top = level_at(e);
     const riffle::EndProfile in = end.inside(e);
-    const bool due = end.due(e, RIFFLE_FLUID, false) || end.due(e, RIFFLE_OUTFLOW, true);
-    const double *x = riffle::OpenEnd::read(e, "position", 0), *z = riffle::OpenEnd::read(e, "position", 1);
-    std::vector<std::int64_t> buffer;
-    for (std::int64_t k = 0; k < e.count; ++k) {
-      const double inside = end.inside_by(x[k]);
-      if (end.is_buffer(e, k)) {
-        if (due && inside < -width)
-          e.remove(e.context, k);
-        else if (due && inside >= 0)
-          e.retag(e.context, k, RIFFLE_FLUID);
-        else
-          buffer.push_back(k);
-      } else if (due && e.role[k] == RIFFLE_FLUID && inside < 0) {
-        if (end.is_floor(z[k])) {
-          e.remove(e.context, k);
-          continue;
-        }
-        e.retag(e.context, k, RIFFLE_OUTFLOW);
-        buffer.push_back(k);
-      }
-    }
-    if (due) refill(e, buffer, in);
+    bool crossed = false;
+    std::vector<std::int64_t> buffer = riffle::pass_beyond(end, e, RIFFLE_OUTFLOW, crossed);
+    if (crossed) refill(e, buffer, in);
     write(e, buffer, in, top);
     end.press_floor(e, top, e.count);
   }

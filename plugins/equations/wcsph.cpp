@@ -57,13 +57,9 @@ struct Wcsph {
     static constexpr std::uint32_t pass_flags = RIFFLE_INITIAL;
     static constexpr riffle_read reads[] = {riffle::at_i(f::cell_measure), riffle::at_i(f::position),
                                             riffle::at_i(f::porosity, RIFFLE_OPTIONAL)};
-    static constexpr riffle_write writes[] = {riffle::set(f::mass),
-                                              riffle::set(f::density),
-                                              riffle::set(f::smoothing_length),
-                                              riffle::set(f::wave_speed),
-                                              riffle::set(wc::acoustic_diffusivity),
-                                              riffle::set(wc::state_exponent),
-                                              riffle::set(wc::normal_gravity)};
+    static constexpr riffle_write writes[] = {riffle::set(f::mass), riffle::set(f::density),
+                                              riffle::set(f::smoothing_length), riffle::set(f::wave_speed),
+                                              riffle::set(wc::acoustic_diffusivity)};
     static void run(const Wcsph& s, const riffle::Block& b) {
       for (std::int64_t k = 0; k < b.size(); ++k) {
         const double cell = b.in(0)[k], z = b.in(1, b.dim() - 1)[k];
@@ -73,8 +69,6 @@ struct Wcsph {
         b.out(2)[k] = s.smoothing_ratio * (b.dim() == 2 ? std::sqrt(cell) : std::cbrt(cell));
         b.out(3)[k] = s.c0;
         b.out(4)[k] = s.c0 * b.out(2)[k];
-        b.out(5)[k] = s.tait ? 7 : 1;
-        b.out(6)[k] = s.normal_gravity;
       }
     }
   };

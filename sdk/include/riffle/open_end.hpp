@@ -17,7 +17,18 @@
 #include <string>
 #include <vector>
 
-#include "riffle/abi.h"
+#include "riffle/sdk.hpp"
+
+// Parameters of boundaries that are such ends: which end, and what the equation set says of pressure.
+#define RIFFLE_OPEN_END_PARAMETERS(which)                                                                            \
+  riffle::choice("end", "x_min|x_max", which, "which end of the domain"),                                            \
+      riffle::inherited("gravity", "m.s-2", "fluid.gravity", 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN),  \
+      riffle::inherited("density", "kg.m-3", "fluid.density", 0, 1e5, "reference density rho0", RIFFLE_ABOVE_MIN),   \
+      riffle::real("bed_slope", "1", 0, -0.999, 0.999, "S0 of the equations", 0, "equations.bed_slope"),             \
+      riffle_parameter {                                                                                             \
+    sizeof(riffle_parameter), RIFFLE_CHOICE, 0, 0, "state", "1", "state equation", "linear|tait", "equations.state", \
+        0, 0, 0, "linear"                                                                                            \
+  }
 
 namespace riffle {
 
@@ -42,8 +53,13 @@ class OpenEnd {
  public:
   static constexpr double slack = 0.5;  // spacings that particles may be beyond the face
 
-  OpenEnd(bool low, std::uint32_t role, double density)
-      : inward_(low ? 1.0 : -1.0), low_(low), role_(role), density_(density) {}
+  OpenEnd(const Values& v, std::uint32_t role)
+      : low_(v.word("end") == "x_min"),
+        inward_(low_ ? 1.0 : -1.0),
+        role_(role),
+        density_(v.number("density")),
+        gravity_(v.number("gravity") * std::sqrt(1 - v.number("bed_slope") * v.number("bed_slope"))),
+        exponent_(v.word("state") == "tait" ? 7 : 1) {}
 
   void connect(const riffle_services& s) {
     x_ = low_ ? s.low[0] : s.high[0];
@@ -71,9 +87,8 @@ class OpenEnd {
 
   // Density of water at rest `below` its surface [m], by the state equation and the gravity of the equation set.
   [[nodiscard]] double density(const riffle_editor& e, double below) const {
-    const double c0 = read(e, "wave_speed")[0], n = read(e, "state_exponent")[0];
-    const double head = std::max(below, 0.0) * read(e, "normal_gravity")[0] / (c0 * c0);
-    return n == 1 ? density_ * (1 + head) : density_ * std::pow(1 + n * head, 1 / n);
+    const double c0 = read(e, "wave_speed")[0], head = std::max(below, 0.0) * gravity_ / (c0 * c0);
+    return exponent_ == 1 ? density_ * (1 + head) : density_ * std::pow(1 + exponent_ * head, 1 / exponent_);
   }
 
   [[nodiscard]] EndProfile inside(const riffle_editor& e) const {
@@ -173,10 +188,10 @@ class OpenEnd {
     return inside_by(read(e, "position", 0)[k]) < 0.5 * length_;
   }
 
-  double inward_;
   bool low_;
+  double inward_;
   std::uint32_t role_;
-  double density_, x_ = 0, length_ = 1, bed_ = 0;
+  double density_, gravity_, exponent_, x_ = 0, length_ = 1, bed_ = 0;
 };
 
 }  // namespace riffle

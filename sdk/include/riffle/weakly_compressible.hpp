@@ -38,10 +38,6 @@ inline constexpr riffle_field diffusing_volume =
     scalar_field("diffusing_volume", "md", "V of water, 0 of walls: what density may spread to");
 inline constexpr riffle_field acoustic_diffusivity =
     scalar_field("acoustic_diffusivity", "m2.s-1", "l c0, in units of which density diffusion is given");
-inline constexpr riffle_field state_exponent =
-    scalar_field("state_exponent", "1", "n of P = (rho0 c0^2 / n) ((rho / rho0)^n - 1): 1 linear, 7 Tait");
-inline constexpr riffle_field normal_gravity =
-    scalar_field("normal_gravity", "m.s-2", "gravity across the bed, against the last axis");
 // A wall plugin may write it for walls and pistons: their pressure, instead of the one of their density.
 inline constexpr riffle_field wall_pressure =
     scalar_field("wall_pressure", "kg.m-1.s-2", "pressure of a wall particle, continued from the water before it");
