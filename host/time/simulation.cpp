@@ -10,6 +10,7 @@
 
 #include "host/particles/placement.hpp"
 #include "host/plugins/contracts.hpp"
+#include "host/time/porosity_at.hpp"
 #include "host/time/reference_start.hpp"
 
 namespace riffle {
@@ -129,7 +130,7 @@ void Simulation::require_that_terrain_is_used() const {
 }
 
 void Simulation::place_particles() {
-  const PlacedParticles placed = place(case_);
+  const PlacedParticles placed = place(case_, porosity_of(instance_of("porosity")));
   const auto n = static_cast<std::int64_t>(placed.cell_measure.size());
   for (const char* name : {"position", "cell_measure"}) {
     store_.add_field(graph_->fields()[static_cast<std::size_t>(graph_->field(name))].description, FieldUse::evolved);
