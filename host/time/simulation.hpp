@@ -57,9 +57,9 @@ class Simulation {
   [[nodiscard]] const Neighbourhood& neighbourhood() const { return *neighbourhood_; }
   [[nodiscard]] Boundaries& boundaries() { return *boundaries_; }
   [[nodiscard]] const riffle_services& services() const { return terrain_->services(); }
-  // What plugins find doubtful about the scene, a sentence each.
-  [[nodiscard]] const std::vector<std::string>& warnings() const { return terrain_->warnings(); }
   [[nodiscard]] std::size_t bytes() const { return store_.bytes() + neighbourhood_->bytes(); }
+  // What plugins find doubtful about the scene, a sentence each.
+  [[nodiscard]] const std::vector<std::string>& doubts() const { return terrain_->warnings(); }
   [[nodiscard]] std::int64_t particle_steps() const { return particle_steps_; }
   // Sum of conserved amount times velocity over the water, per axis.
   [[nodiscard]] std::vector<double> momentum() const;

@@ -14,7 +14,6 @@
 #include <riffle/services.hpp>
 #include <riffle/viscous_stress.hpp>
 #include <riffle/weakly_compressible.hpp>
-#include <sstream>
 #include <string>
 
 namespace f = riffle::fields;
@@ -309,24 +308,7 @@ struct Wcsph {
     }
   }
 
-  void connect(const riffle_services& s) {
-    services = &s;
-    if (surface == nullptr || !riffle::has_lattice(s)) return;
-    double highest = s.low[s.dim - 1];
-    for (int k = 0; k <= 64; ++k) {
-      const double x = s.low[0] + (s.high[0] - s.low[0]) * k / 64, zero = 0;
-      double level = 0;
-      surface->evaluate(surface->context, 1, &x, &zero, &zero, 0, &level);
-      highest = std::max(highest, level);
-    }
-    const double depth = highest - s.low[s.dim - 1], change = normal_gravity * depth / (c0 * c0);
-    if (!(change > 0.05)) return;
-    std::ostringstream text;
-    text.precision(3);
-    text << "a sound speed of " << c0 << " m/s lets " << depth << " m of water change its density by " << 100 * change
-         << " %; 1 % needs " << 10 * std::sqrt(normal_gravity * depth) << " m/s";
-    riffle::warn<Wcsph>(s, text.str());
-  }
+  void connect(const riffle_services& s) { services = &s; }
 
   [[nodiscard]] double pressure_of(double rho) const {
     if (!tait) return c0 * c0 * (rho - rho0);
