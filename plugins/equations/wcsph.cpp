@@ -11,6 +11,7 @@
 // (2017) eqs 3.9-3.11, 4.56, 4.57 with the time levels and signs of the printed ones put right.
 // Not in it: surface tension, air; density diffusion is the filter delta-sph; shocks want a viscosity.
 #include <algorithm>
+#include <riffle/services.hpp>
 #include <riffle/viscous_stress.hpp>
 #include <riffle/weakly_compressible.hpp>
 #include <string>
@@ -66,7 +67,7 @@ struct Wcsph {
         const double rho = s.density_at_rest(b.in(1, 0)[k], b.dim() == 3 ? b.in(1, 1)[k] : 0, z);
         b.out(0)[k] = (b.has(2) ? b.in(2)[k] : 1) * rho * cell;
         b.out(1)[k] = rho;
-        b.out(2)[k] = s.smoothing_ratio * (b.dim() == 2 ? std::sqrt(cell) : std::cbrt(cell));
+        b.out(2)[k] = s.smoothing_ratio * riffle::particle_spacing(s.services, cell, b.dim());
         b.out(3)[k] = s.c0;
         b.out(4)[k] = s.c0 * b.out(2)[k];
       }
@@ -307,6 +308,8 @@ struct Wcsph {
     }
   }
 
+  void connect(const riffle_services& s) { services = &s; }
+
   [[nodiscard]] double pressure_of(double rho) const {
     if (!tait) return c0 * c0 * (rho - rho0);
     const double ratio = rho / rho0, cube = ratio * ratio * ratio;
@@ -324,6 +327,7 @@ struct Wcsph {
   double removed_gravity = 0;  // of the hydrostatic pressure that is taken out; 0: none is
   bool laminar, tait;
   const riffle_function *driving, *surface;
+  const riffle_services* services = nullptr;
 };
 
 RIFFLE_PLUGIN(Wcsph)

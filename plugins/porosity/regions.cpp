@@ -12,6 +12,7 @@
 // Not in it: regions that move; three dimensions.
 #include <riffle/polygon.hpp>
 #include <riffle/porosity.hpp>
+#include <riffle/services.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -87,7 +88,15 @@ struct Regions {
 
   void connect(const riffle_services& s) {
     domain.services = &s;
+    riffle::require_within_domain(s, "thickness", thickness);
+    if (riffle::has_lattice(s) && thickness < s.spacing) {
+      std::ostringstream text;
+      text << "the transition of " << thickness << " m is thinner than the spacing of the particles, " << s.spacing
+           << " m: porosity that jumps drives currents in water at rest";
+      riffle::warn<Regions>(s, text.str());
+    }
     for (Region& region : regions) {
+      if (riffle::has_lattice(s)) require_that_it_meets_the_domain(region, s);
       region.inner.assign(region.outline.edges(), 1);
       for (std::size_t k = 0; k < region.outline.edges(); ++k) {
         for (std::size_t a = 0; a < 2; ++a) {
@@ -98,6 +107,22 @@ struct Regions {
           if (below || above) region.inner[k] = 0;
         }
       }
+    }
+  }
+
+  void require_that_it_meets_the_domain(const Region& region, const riffle_services& s) const {
+    const auto number = static_cast<std::size_t>(&region - regions.data()) + 1;
+    for (std::size_t a = 0; a < 2; ++a) {
+      double low = region.outline.from(0)[a], high = low;
+      for (std::size_t k = 0; k < region.outline.edges(); ++k) {
+        low = std::min(low, region.outline.from(k)[a]), high = std::max(high, region.outline.from(k)[a]);
+      }
+      if (low < s.high[a] && high > s.low[a] && high - low < 100 * (s.high[a] - s.low[a])) continue;
+      std::ostringstream text;
+      text << "its "
+           << "xz"[a] << " from " << low << " to " << high << " does not fit the domain, " << s.low[a] << " to "
+           << s.high[a] << " m; corners are in metres";
+      refuse(number, text.str());
     }
   }
 

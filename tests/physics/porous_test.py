@@ -62,20 +62,5 @@ class Dam(unittest.TestCase):
         self.assertLess(by_time["0.6"], 0.0075)
 
 
-class Mistakes(unittest.TestCase):
-    def test_regions_that_cannot_be_are_refused_in_one_sentence(self):
-        for regions, words in (("0.5: 0 0, 1 1, 1 0, 0 1", "crosses itself"),
-                               ("0: 0 0, 1 0, 1 1", "porosity must be above 0 and at most 1"),
-                               ("0.5: 0 0, 0.4 0, 0.4 0.1, 0 0.1; 0.4: 0.3 0, 0.6 0, 0.6 0.1, 0.3 0.1", "overlaps region 1"),
-                               ("0.5: 0 0, 1 0", "at least 3 corners")):
-            text = run("porous-still/column.toml", f'plugins.porosity.regions="{regions}"', code=2)
-            self.assertIn(words, text)
-            self.assertEqual(text.count("\n"), 1, text)
-
-    def test_a_stroke_longer_than_the_tank_is_refused(self):
-        text = run("breakwater/smooth.toml", "plugins.piston.height=3", "plugins.piston.depth=0.1", code=2)
-        self.assertIn("stroke of the piston", text)
-
-
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
