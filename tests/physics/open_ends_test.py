@@ -15,7 +15,7 @@ DISCHARGE, DEPTH = 0.012196, 0.05
 class OpenEnds(Scene):
     def flow(self, *sets, out="out", code=0, case="rough-bed/open-ends.toml"):
         short = ("output.picture=false", "initial.particles.spacing=2.5e-3", "domain.x=[0, 0.1]", "time.end=1.2",
-                 "output.averages_from=0.3")
+                 "output.averages_from=0.3", "plugins.inflow.shape_distance=0")
         options = [w for s in (*short, *sets) for w in ("--set", s)]
         done = self.riffle("run", CASES / case, "--quiet", "--threads", 1, "--out", self.home / out, "--overwrite",
                            *options, code=code)
