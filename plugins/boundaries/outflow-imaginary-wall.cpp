@@ -5,12 +5,14 @@
 //
 // Kazemi (2017) eqs 6.10 to 6.12. Velocity and turbulence beyond the end need not be known, which suits porous beds. The height
 // H_ow of the wall takes the place of a level: the one that makes the depth uniform is not that of the water, and the source
-// finds it by repeated runs. With `search` it is found while the run goes on: dH_ow/dt = (d1 - d2) / search, with the depths at
-// two sections; a surface that falls downstream raises the wall. What it came to is in `plugins[].state` of the record.
-// Where the pressure is "dynamic" both P are without the hydrostatic one. A floor of particles goes on under the wall.
-// F_o leaves little of the push: its mean over a kernel is a quarter, so that P_o must be some seven times the pressure of the water
-// and the wall two to three times as high as it, not "90 to 100 %".
-// Where it fails: within a support of the end the flow is not that of the channel. Not in it: water that enters, three dimensions.
+// finds it by repeated runs. With `search` it is found while the run goes on: dH_ow/dt = (d1 - d2) / search, with the levels
+// at two sections by the pressure there; a surface that falls downstream raises the wall. What it came to is in
+// `plugins[].state` of the record. Where the pressure is "dynamic" both P are without the hydrostatic one. A floor of
+// particles goes on under the wall.
+// F_o leaves little of the push: its mean over a kernel is a quarter, so that P_o must be some seven times the pressure of
+// the water, and the wall two to three times as high as it, not "90 to 100 %".
+// Where it fails: within a support of the end the flow is not that of the channel. Not in it: water that enters, three
+// dimensions.
 #include <algorithm>
 #include <riffle/open_end.hpp>
 #include <riffle/sdk.hpp>
@@ -113,7 +115,7 @@ struct OutflowImaginaryWall {
 
   void edit(const riffle_editor& e) const {
     if (search > 0) {
-      const double level = e.state[0] + e.dt / search * (end.depth_at(e, first) - end.depth_at(e, second));
+      const double level = e.state[0] + e.dt / search * (end.head_at(e, first) - end.head_at(e, second));
       e.state[0] = std::max(level, riffle::OpenEnd::spacing(e));
       for (std::int64_t k = 0; k < e.count; ++k) {
         if (e.role[k] == RIFFLE_PROBE && end.inside_by(riffle::OpenEnd::read(e, "position", 0)[k]) < 0)

@@ -127,17 +127,23 @@ class OpenEnd {
     return p;
   }
 
-  // Volume of the water per length about x: its depth there.
-  [[nodiscard]] double depth_at(const riffle_editor& e, double at) const {
-    const double half = 4 * std::ceil(reach(e) / spacing(e)) * spacing(e);
-    const double *x = read(e, "position", 0), *m = read(e, "mass"), *rho = read(e, "density");
-    const double* phi = e.read(e.context, "porosity", 0);
-    double depth = 0;
+  // Level of the water about x by the pressure of its upper half, z + P / (rho0 g): what is left in pores or gaps below does
+  // not count, as it would in a volume per length.
+  [[nodiscard]] double head_at(const riffle_editor& e, double at) const {
+    const double half = 4 * std::ceil(reach(e) / spacing(e)) * spacing(e), c0 = read(e, "wave_speed")[0];
+    const double *x = read(e, "position", 0), *z = read(e, "position", 1), *rho = read(e, "density");
+    double highest_z = bed_, weights = 0, sum = 0;
+    const auto near = [&](std::int64_t i) { return 1 - std::abs(x[i] - at) / half; };
     for (std::int64_t i = 0; i < e.count && e.role[i] == RIFFLE_FLUID; ++i) {
-      const double off = std::abs(x[i] - at) / half;
-      if (off < 1) depth += m[i] / (rho[i] * (phi != nullptr ? phi[i] : 1.0)) * (1 - off) / half;
+      if (near(i) > 0) highest_z = std::max(highest_z, z[i]);
     }
-    return depth;
+    for (std::int64_t i = 0; i < e.count && e.role[i] == RIFFLE_FLUID; ++i) {
+      if (!(near(i) > 0) || z[i] < 0.5 * (bed_ + highest_z)) continue;
+      const double pressure = c0 * c0 / exponent_ * (std::pow(rho[i] / density_, exponent_) - 1);  // over rho0
+      weights += near(i);
+      sum += near(i) * (z[i] + pressure / gravity_);
+    }
+    return weights > 0 ? sum / weights : bed_;
   }
 
   // The water nearest to the end at a height: what new particles there are like, their porosity above all.
