@@ -43,7 +43,8 @@ struct InflowAveraged {
                                   std::to_string(in.depth) + " m deep");
     std::vector<std::int64_t> buffer;
     for (double z = end.bed() + 0.5 * l; z < level; z += l) {
-      for (int c = 0; c < columns(e); ++c) buffer.push_back(end.add(e, 0, (c + 0.5) * l, z));
+      const std::int64_t like = end.nearest(e, z);
+      for (int c = 0; c < columns(e); ++c) buffer.push_back(end.add(e, like, (c + 0.5) * l, z));
     }
     const double *phi = e.read(e.context, "porosity", 0), *z = riffle::OpenEnd::read(e, "position", 1);
     double *rho = e.write(e.context, "density", 0), *mass = e.write(e.context, "mass", 0);

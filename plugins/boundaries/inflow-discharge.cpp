@@ -2,7 +2,9 @@
 //
 //   u(z) = q s(z) / sum_k phi_k s(z_k) dz,   p hydrostatic below the level,   level = that of the water inside, unless given
 //
-// s, the shape of the profile, is that of the water next to the end, or `velocity`. The rows share the depth evenly, so that
+// s, the shape of the profile, is that of the water inside, or `velocity`. Taken next to the end it keeps what it has, errors
+// included, for nearly nothing changes on so short a way; taken from `shape_distance` downstream it becomes that of the developed
+// flow. The rows share the depth evenly, so that
 // what enters per second is q whatever the level; a row comes or goes when they have become a spacing thicker or thinner by
 // three quarters. The level follows that inside within a time of sqrt(d / g) by default: with the discharge fixed, depth
 // and slope of the surface find themselves, while an end that takes velocity *and* pressure from inside drifts
@@ -26,6 +28,8 @@ struct InflowDischarge {
       riffle::function("discharge", "m2.s-1", 0, "q into the domain, per metre of width", RIFFLE_REQUIRED),
       riffle::function("velocity", "m.s-1", 0,
                        "shape of the profile over z, of any scale; that of the water inside if not given"),
+      riffle::real("shape_distance", "m", 0, 0, 1e6,
+                   "how far inside the shape is taken: as far as the flow is uniform"),
       riffle::function("level", "m", 0, "of the water at the end; that of the water inside if not given"),
       riffle::real("relaxation", "s", 0, 0, 1e6, "time in which the buffer follows the water inside; 0: sqrt(d / g)"),
       RIFFLE_OPEN_END_PARAMETERS("x_min")};
@@ -33,6 +37,7 @@ struct InflowDischarge {
   explicit InflowDischarge(const riffle::Values& v)
       : end(v, RIFFLE_INFLOW),
         relaxation(v.number("relaxation")),
+        shape_distance(v.number("shape_distance")),
         gravity(v.number("gravity")),
         discharge(v.function("discharge")),
         velocity(v.given("velocity") ? v.function("velocity") : nullptr),
@@ -47,8 +52,8 @@ struct InflowDischarge {
       throw std::invalid_argument("the water at its end must be deeper than a particle at t = 0, and is " +
                                   std::to_string(depth) + " m deep; give a level");
     riffle::BufferRows rows(end, e, depth, std::max(1.0, std::round(depth / l)));
-    rows.fill(e, 0);
-    impose(e, in, rows, 1);
+    rows.fill(e);
+    impose(e, end.inside(e, shape_distance), rows, 1);
     end.press_floor(e, rows.level(), end.add_floor(e));
   }
 
@@ -62,7 +67,7 @@ struct InflowDischarge {
       throw std::invalid_argument("its buffer particles are gone; it cannot stand beside periodic along x");
     rows.pass_on(e);
     rows.become(e, depth);
-    impose(e, in, rows, part);
+    impose(e, shape_distance > 0 ? end.inside(e, shape_distance) : in, rows, part);
     end.press_floor(e, rows.level(), rows.particles());
   }
 
@@ -96,7 +101,7 @@ struct InflowDischarge {
   }
 
   riffle::OpenEnd end;
-  double relaxation, gravity;
+  double relaxation, shape_distance, gravity;
   const riffle_function *discharge, *velocity, *level;
 };
 

@@ -26,6 +26,7 @@ class BufferRows {
     }
   }
   [[nodiscard]] double depth() const { return depth_; }
+  [[nodiscard]] std::size_t size() const { return members_.size(); }
   [[nodiscard]] double level() const { return end_.bed() + depth_; }
   [[nodiscard]] std::int64_t particles() const { return count_; }  // those that were added included
   [[nodiscard]] bool empty() const {
@@ -39,9 +40,9 @@ class BufferRows {
     return height() * (phi != nullptr && !members_[k].empty() ? phi[members_[k].front()] : 1.0);
   }
 
-  // Rows of particles like `like`, over the width of the buffer.
-  void fill(const riffle_editor& e, std::int64_t like) {
-    for (std::size_t k = 0; k < members_.size(); ++k) extend(e, k, like);
+  // Rows over the width of the buffer, of particles like the water inside.
+  void fill(const riffle_editor& e) {
+    for (std::size_t k = 0; k < members_.size(); ++k) extend(e, k, end_.nearest(e, middle(k)));
   }
 
   // Particles that have entered become water, and others follow them; water that has left is taken out.

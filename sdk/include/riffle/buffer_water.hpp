@@ -13,7 +13,8 @@ inline std::vector<std::int64_t> fill_beyond(const OpenEnd& end, const riffle_ed
   const double l = OpenEnd::spacing(e);
   std::vector<std::int64_t> buffer;
   for (double z = end.bed() + 0.5 * l; z < level; z += l) {
-    for (double out = 0.5 * l; out < OpenEnd::width(e); out += l) buffer.push_back(end.add(e, 0, out, z));
+    const std::int64_t like = end.nearest(e, z);
+    for (double out = 0.5 * l; out < OpenEnd::width(e); out += l) buffer.push_back(end.add(e, like, out, z));
   }
   const double *phi = e.read(e.context, "porosity", 0), *z = OpenEnd::read(e, "position", 1);
   double *rho = e.write(e.context, "density", 0), *mass = e.write(e.context, "mass", 0);

@@ -91,13 +91,14 @@ class OpenEnd {
     return exponent_ == 1 ? density_ * (1 + head) : density_ * std::pow(1 + exponent_ * head, 1 / exponent_);
   }
 
-  [[nodiscard]] EndProfile inside(const riffle_editor& e) const {
+  // Next to the end, or as far from it.
+  [[nodiscard]] EndProfile inside(const riffle_editor& e, double distance = 0) const {
     EndProfile p;
     const double row = spacing(e), half = std::ceil(reach(e) / row - 1e-9) * row;
-    if (length_ < 4 * half)
+    if (length_ < std::max(4 * half, distance + 2 * half))
       throw std::invalid_argument("the domain of " + std::to_string(length_) + " m must be at least " +
-                                  std::to_string(4 * half) +
-                                  " m long, twice the window next to the end in which the flow is measured");
+                                  std::to_string(std::max(4 * half, distance + 2 * half)) +
+                                  " m long for the window in which the flow next to the end is measured");
     const double *x = read(e, "position", 0), *z = read(e, "position", 1), *u = read(e, "velocity", 0);
     const double *m = read(e, "mass"), *rho = read(e, "density");
     const double *phi = e.read(e.context, "porosity", 0), *eddy = e.read(e.context, "eddy_viscosity", 0);
@@ -106,7 +107,7 @@ class OpenEnd {
     };
     std::vector<Sum> sums;
     for (std::int64_t i = 0; i < e.count && e.role[i] == RIFFLE_FLUID; ++i) {
-      const double off = std::abs(inside_by(x[i]) - half) / half;
+      const double off = std::abs(inside_by(x[i]) - distance - half) / half;
       if (!(off < 1)) continue;
       const double v = m[i] / (rho[i] * (phi != nullptr ? phi[i] : 1.0)) * (1 - off) / half;
       p.depth += v;
@@ -126,6 +127,35 @@ class OpenEnd {
     return p;
   }
 
+  // Level of the water about x by the pressure of its upper half, z + P / (rho0 g): what is left in pores or gaps below does
+  // not count, as it would in a volume per length.
+  [[nodiscard]] double head_at(const riffle_editor& e, double at) const {
+    const double half = 4 * std::ceil(reach(e) / spacing(e)) * spacing(e), c0 = read(e, "wave_speed")[0];
+    const double *x = read(e, "position", 0), *z = read(e, "position", 1), *rho = read(e, "density");
+    double highest_z = bed_, weights = 0, sum = 0;
+    const auto near = [&](std::int64_t i) { return 1 - std::abs(x[i] - at) / half; };
+    for (std::int64_t i = 0; i < e.count && e.role[i] == RIFFLE_FLUID; ++i) {
+      if (near(i) > 0) highest_z = std::max(highest_z, z[i]);
+    }
+    for (std::int64_t i = 0; i < e.count && e.role[i] == RIFFLE_FLUID; ++i) {
+      if (!(near(i) > 0) || z[i] < 0.5 * (bed_ + highest_z)) continue;
+      const double pressure = c0 * c0 / exponent_ * (std::pow(rho[i] / density_, exponent_) - 1);  // over rho0
+      weights += near(i);
+      sum += near(i) * (z[i] + pressure / gravity_);
+    }
+    return weights > 0 ? sum / weights : bed_;
+  }
+
+  // The water nearest to the end at a height: what new particles there are like, their porosity above all.
+  [[nodiscard]] std::int64_t nearest(const riffle_editor& e, double level) const {
+    const double *x = read(e, "position", 0), *z = read(e, "position", 1);
+    std::int64_t found = 0;
+    for (std::int64_t k = 1; k < e.count && e.role[k] == RIFFLE_FLUID; ++k) {
+      if (std::hypot(inside_by(x[k]), z[k] - level) < std::hypot(inside_by(x[found]), z[found] - level)) found = k;
+    }
+    return found;
+  }
+
   // A new particle of the buffer or its floor, like `like`, at a distance `out` beyond the end.
   std::int64_t add(const riffle_editor& e, std::int64_t like, double out, double z) const {
     const std::int64_t i = e.add(e.context, role_, like);
@@ -136,13 +166,14 @@ class OpenEnd {
   }
   // Returns the number of particles with it.
   std::int64_t add_floor(const riffle_editor& e) const {
+    const std::int64_t like = nearest(e, bed_);
     std::int64_t last = 0;
     const double l = spacing(e);
     const auto columns = static_cast<int>(std::ceil((width(e) + l) / l)),
                rows = static_cast<int>(std::ceil(reach(e) / l));
     for (int c = 0; c < columns; ++c) {
       for (int r = 0; r < rows; ++r) {
-        last = add(e, 0, (c + 0.5) * l, bed_ - (r + 0.5) * l);
+        last = add(e, like, (c + 0.5) * l, bed_ - (r + 0.5) * l);
         e.write(e.context, "velocity", 0)[last] = 0;
         set(e, "eddy_viscosity", last, 0);
       }
@@ -151,13 +182,13 @@ class OpenEnd {
   }
   // Gives the floor the density of water at rest below `level`; `particles` includes those added in this call.
   void press_floor(const riffle_editor& e, double level, std::int64_t particles) const {
-    const double l = spacing(e), *z = read(e, "position", 1);
+    const double l = spacing(e), *z = read(e, "position", 1), *phi = e.read(e.context, "porosity", 0);
     double *rho = e.write(e.context, "density", 0), *m = e.write(e.context, "mass", 0);
     for (std::int64_t k = 0; k < particles; ++k) {
       const bool added = k >= e.count;
       if (!is_floor(z[k]) || (!added && (e.role[k] != role_ || !mine(e, k)))) continue;
       rho[k] = density(e, level - z[k]);
-      m[k] = rho[k] * l * l;
+      m[k] = rho[k] * l * l * (phi != nullptr ? phi[k] : 1.0);  // its role is that of water
     }
   }
   // Water and buffer that have crossed change roles, once somebody is far enough beyond. True when they did.
