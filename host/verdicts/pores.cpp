@@ -18,9 +18,11 @@ std::optional<double> neighbours_in_pores(const Simulation& simulation) {
     if (!node.pair || node.makes_pair_field || (node.targets & RIFFLE_FLUID) == 0) continue;
     const NeighbourList& list = simulation.neighbourhood().list({node.reach, node.targets, node.sources});
     const auto water = std::min(static_cast<std::size_t>(store.role_begin(1)), list.count.size());
+    const double least = water > 0 ? *std::min_element(phi, phi + water) : 1;
+    if (!(least < 0.999)) return {};
     double sum = 0, particles = 0;
     for (std::size_t i = 0; i < water; ++i) {
-      if (!(phi[i] < 0.999)) continue;
+      if (phi[i] > least + 0.1 * (1 - least)) continue;
       const double reach = kappa * l[i];
       ++particles;
       for (std::int64_t k = 0; k < list.count[i]; ++k) {
@@ -28,7 +30,6 @@ std::optional<double> neighbours_in_pores(const Simulation& simulation) {
         if (j != i && std::hypot(x[j] - x[i], z[j] - z[i]) < reach) ++sum;
       }
     }
-    if (particles == 0) return {};
     return sum / particles;
   }
   return {};
