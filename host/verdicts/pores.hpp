@@ -18,7 +18,7 @@ constexpr double locked_share = 0.1;  // of the velocity that the reference has 
 // everywhere.
 std::optional<double> neighbours_in_pores(const Simulation& simulation);
 
-// Whether the water where the porosity is smallest moves as `exact`, the velocity along x that the reference has at each water
+// Whether the water where the porosity is smallest moves, in the median, as `exact`, the velocity along x that the reference has at each water
 // particle, NaN where it has none.
 std::optional<Verdict> locked_bed(const Simulation& simulation, const std::vector<double>& exact);
 
