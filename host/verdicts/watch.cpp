@@ -31,7 +31,7 @@ std::string sentence(const std::string& name, double value, const std::string& w
         value, where);
   }
   if (name == "pores")
-    return fmt::format("water in pores had {:.1f} neighbours in the mean at t = 0{}", value,
+    return fmt::format("water where the porosity is smallest had {:.1f} neighbours in the mean at t = 0{}", value,
                        value < fewest_neighbours_in_pores
                            ? ", too few for a pressure: take placement = \"equal-spacing\" or a larger smoothing_ratio"
                            : "");

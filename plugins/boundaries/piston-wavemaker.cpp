@@ -131,6 +131,25 @@ struct PistonWavemaker {
       if (written == nullptr) written = e.write(e.context, "density", 0);
       written[k] = rho0;
     }
+    keep_before_the_face(e, services->low[0] + now, u, x, velocity);
+  }
+
+  // Rows that move over rows that do not leave a slit between them, and water is pressed into it. None comes nearer to the
+  // face than a quarter of a spacing, nor there to the floor: on their own particles stay a third away.
+  void keep_before_the_face(const riffle_editor& e, double face, double u, double* x, double* velocity) const {
+    const double l0 = riffle::wall_spacing(e, *services), nearest = 0.25 * l0, floor = services->low[1] + nearest;
+    double *z = nullptr, *up = nullptr;
+    for (std::int64_t k = 0; k < e.count; ++k) {
+      if (e.role[k] != RIFFLE_FLUID || x[k] >= face + l0) continue;
+      if (x[k] < face + nearest) {
+        x[k] = face + nearest;
+        velocity[k] = std::max(velocity[k], u);
+      }
+      if (e.read(e.context, "position", 1)[k] >= floor) continue;
+      if (z == nullptr) z = e.write(e.context, "position", 1), up = e.write(e.context, "velocity", 1);
+      z[k] = floor;
+      up[k] = std::max(up[k], 0.0);
+    }
   }
 
   const riffle_function* displacement;

@@ -130,6 +130,7 @@ struct Regions {
     double phi = 1;
     for (const Region& region : regions) {
       const riffle::PlanePoint p{x[0], x[1]};
+      if (region.outline.beyond(p, 0.5 * thickness)) continue;
       const auto counts = [&](std::size_t k) { return region.inner.empty() || region.inner[k] != 0; };
       const double from = region.outline.distance(p, counts), d = region.outline.contains(p) ? from : -from;
       const double t = d > thickness ? 1 : d < -thickness ? 0 : std::clamp(0.5 + d / thickness, 0.0, 1.0);
