@@ -111,7 +111,7 @@ std::vector<SceneWarning> doubtful_resolution(const Case& scene, const ParticleS
         {"rows",
          fmt::format(
              "only {:.3g} rows of particles over {:.3g} m of water, {:.3g} m apart: with fewer than {:g} the pressure "
-             "between them resists shear like a soft solid, and water on a mild slope hardly runs",
+             "between them may resist shear like a soft solid and hold back water on a mild slope",
              rows, depth, scene.placement.spacing, enough_rows),
          rows, enough_rows});
   }
