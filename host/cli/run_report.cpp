@@ -299,6 +299,8 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
   for (const auto& choice : scene.plugins) add(choice);
   if (scene.reference) add(scene.reference->plugin);
   record.verdicts = report.verdicts;
+  for (const SceneWarning& warning : simulation.warnings())
+    record.verdicts.push_back({warning.name, warning.text, Severity::note, warning.value, warning.bound});
   if (record.neighbours && record.neighbours->smallest == 0 && record.particles > 1) {
     record.verdicts.push_back({"lost-neighbours",
                                "some water particle has no neighbour within its support: the depth or density there is "
