@@ -294,6 +294,9 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
       else
         p.parameters[value.name] = value.number;
     }
+    const auto& active = simulation.graph().plugins();
+    const auto of = std::find_if(active.begin(), active.end(), [&](const auto& a) { return a.slot == choice.slot; });
+    if (of != active.end()) p.state = simulation.boundaries().state(static_cast<std::size_t>(of - active.begin()));
     record.plugins.push_back(std::move(p));
   };
   for (const auto& choice : scene.plugins) add(choice);
