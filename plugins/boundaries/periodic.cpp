@@ -66,7 +66,7 @@ struct Periodic {
       const double slack = 0.05 * e.reach[0], below = low - slack, above = high + slack;
       std::int64_t far = 0;
 #pragma omp simd reduction(+ : far)
-      for (std::int64_t k = 0; k < e.count; ++k) far += (x[k] < below) | (x[k] > above) ? 1 : 0;
+      for (std::int64_t k = 0; k < e.count; ++k) far += x[k] < below || x[k] > above ? 1 : 0;
       if (far == 0) continue;
       double* moved = e.write(e.context, "position", axis);
       for (std::int64_t k = 0; k < e.count; ++k) {
