@@ -62,19 +62,40 @@ void put_on_ground(Panel& panel, const Simulation& simulation) {
   panel.y_label = "level [m]";
 }
 
+// Of those that a list holds: it sees a skin of the support further.
+std::int64_t within_support(const Simulation& simulation, const NeighbourList& list, Reach reach, std::int64_t i) {
+  const ParticleStore& store = simulation.store();
+  const double *l = store.data("smoothing_length"), kappa = simulation.neighbourhood().kappa();
+  const auto at = static_cast<std::size_t>(i);
+  std::int64_t count = 0;
+  for (std::int64_t k = 0; k < list.count[at]; ++k) {
+    const std::int64_t j = list.neighbour[static_cast<std::size_t>(list.begin[at] + k)];
+    double r2 = 0;
+    for (int c = 0; c < store.dim(); ++c) {
+      const double* x = store.data("position", c);
+      r2 += (x[i] - x[j]) * (x[i] - x[j]);
+    }
+    const double far = kappa * (reach == Reach::gather ? l[i] : reach == Reach::scatter ? l[j] : std::max(l[i], l[j]));
+    count += r2 < far * far ? 1 : 0;
+  }
+  return count;
+}
+
 NeighbourStatistics neighbour_statistics(const Simulation& simulation) {
   NeighbourStatistics statistics;
   for (const auto& node : simulation.graph().nodes()) {
     if (!node.pair || node.makes_pair_field || (node.targets & RIFFLE_FLUID) == 0) continue;
     const NeighbourList& list = simulation.neighbourhood().list({node.reach, node.targets, node.sources});
-    const auto n = std::min(water(simulation), list.count.size());
+    const auto n = static_cast<std::int64_t>(std::min(water(simulation), list.count.size()));
     if (n == 0) continue;
-    const auto [least, most] =
-        std::minmax_element(list.count.begin(), list.count.begin() + static_cast<std::ptrdiff_t>(n));
-    statistics.smallest = *least;
-    statistics.largest = *most;
-    statistics.mean = std::accumulate(list.count.begin(), list.count.begin() + static_cast<std::ptrdiff_t>(n), 0.0) /
-                      static_cast<double>(n);
+    std::int64_t sum = 0;
+    for (std::int64_t i = 0; i < n; ++i) {
+      const std::int64_t seen = within_support(simulation, list, node.reach, i);
+      statistics.smallest = i == 0 ? seen : std::min(statistics.smallest, seen);
+      statistics.largest = std::max(statistics.largest, seen);
+      sum += seen;
+    }
+    statistics.mean = static_cast<double>(sum) / static_cast<double>(n);
     break;
   }
   return statistics;

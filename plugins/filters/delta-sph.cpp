@@ -6,8 +6,10 @@
 // presses against the free surface, as diffusion of rho itself does (hydrostatic = false, the older form). Walls take no
 // part: what their density says is not what the water's should become.
 // Source: Molteni & Colagrossi (2009), Antuono et al. (2010) with the gradient of still water in place of the renormalised
-// one. Where it fails: it needs delta (l/dx)^2 CFL below about 0.35, voted for here; in a closed tank delta (l/dx)^2 above
-// 0.23 lets an acoustic mode grow slowly.
+// one. Where it fails: a pattern that alternates from particle to particle decays at 2 delta S c0 / l, S = the integral of
+// -l^2 F over space (3.5 for Wendland C2, 4.5 for C4, 2.9 for the cubic spline), so that explicit steps are stable to
+// delta dt c0 / l = 1 / S; measured: 0.27 to 0.31 for Wendland C2 and 0.32 to 0.35 for the cubic spline, whatever l/dx is,
+// half of that with leap-frog. The vote is for 0.2. In a closed tank delta (l/dx)^2 above 0.23 lets an acoustic mode grow.
 #include <riffle/weakly_compressible.hpp>
 
 namespace f = riffle::fields;
@@ -59,7 +61,7 @@ struct DeltaSph {
       double least = riffle::infinity;
       const double *l = b.in(0), *c = b.in(1);
       RIFFLE_EACH_LEAST(k, b, least) least = l[k] < least * c[k] ? l[k] / c[k] : least;
-      return s.delta > 0 ? 0.35 * least / s.delta : riffle::infinity;
+      return s.delta > 0 ? 0.2 * least / s.delta : riffle::infinity;
     }
   };
   using votes = riffle::Votes<Diffusive>;

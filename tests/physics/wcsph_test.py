@@ -59,6 +59,44 @@ class WeaklyCompressible(Scene):
         self.assertGreater(found["cubic dynamic"], 0.96)
         self.assertLess(max(found.values()), 1.01)
 
+    # The reference of the lock test against its own equation, du/dt = g S0 + nu d2u/dz2, by finite differences 0.2 mm apart:
+    # their error is 1e-4 of g S0 t. A viscosity a hundred times that of water makes a layer of 9 mm.
+    def test_the_sliding_layer_is_held_back_as_its_equation_says(self):
+        self.flow("lock-test/slope.toml", "time.end=0.2", "output.picture=false", "reference.viscosity=1e-4")
+        nu, dz, cells, dt = 1e-4, 2e-4, 250, 1.6e-4
+        u = [0.0] * (cells + 1)
+        for _ in range(round(0.2 / dt)):
+            up = u[1:] + [u[-2]]  # no stress at the surface
+            u = [0.0] + [m + dt * (9.81 * 0.004 + nu * (a - 2 * m + b) / dz**2) for a, m, b in zip(u, u[1:], up[1:])]
+        for row in rows(self.home / "out/profile.csv"):
+            place = max(row["z"], 0) / dz
+            k = min(int(place), cells - 1)
+            expected = u[k] + (place - k) * (u[k + 1] - u[k])
+            self.assertAlmostEqual(row["velocity_x_exact"], expected, delta=1e-3 * 9.81 * 0.004 * 0.2)
+
+    # Kazemi (2017) eqs 3.20, 3.21 at the places of the particles, above the crest and nowhere else.
+    def test_the_logarithmic_law_is_that_of_its_formula(self):
+        law = 'reference={ id = "log-law", depth = 0.04, roughness = 0.02, slope = 0.004, datum = 0.01, from = 0.016 }'
+        record = self.flow("rough-bed/S004H50.toml", "time.max_steps=1", "output.picture=false", "initial.velocity=[0.2, 0]", law)
+        shear = math.sqrt(9.81 * 0.04 * 0.004)
+        known = 0
+        for row in rows(self.home / "out/profile.csv"):
+            if math.isnan(row["velocity_x_exact"]):
+                self.assertLess(row["z"], 0.016)
+                continue
+            known += 1
+            z = row["z"] - 0.01
+            self.assertAlmostEqual(row["velocity_x_exact"], shear * (math.log(z / 0.02) / 0.41 + 8.5), delta=1e-9)
+            self.assertAlmostEqual(row["modelled_shear_stress_exact"], 1000 * shear**2 * (1 - z / 0.04), delta=1e-6)
+        self.assertEqual(known, record["errors"]["velocity_x"]["count"])
+        self.assertEqual(known, 15 * 17)  # rows from 17 to 49 mm
+
+    # On a lattice 24 others lie within 2.9 spacings, 28 within the skin of the lists, 3.2.
+    def test_neighbours_are_those_within_the_support_not_those_of_the_list(self):
+        record = self.flow("lock-test/slope.toml", "time.max_steps=1", "domain.smoothing_ratio=1.45", "output.picture=false")
+        self.assertEqual(record["neighbours"]["largest"], 24)
+        self.assertEqual(record["neighbours"]["smallest"], 14)  # at the surface: walls take part, air does not
+
     # The front against Martin & Moyce (1952) and Koshizuka & Oka (1996): particles are early, as always without the
     # gate and the friction of the flume; 15 % is what separates the two experiments at most (T = 1.2 to 3).
     def test_the_front_of_a_collapsing_column(self):
