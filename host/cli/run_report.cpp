@@ -13,6 +13,7 @@
 #include "host/output/profiles.hpp"
 #include "host/particles/placement.hpp"
 #include "host/particles/water.hpp"
+#include "host/verdicts/pores.hpp"
 
 namespace riffle {
 
@@ -301,11 +302,19 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
   for (const auto& choice : scene.plugins) add(choice);
   if (scene.reference) add(scene.reference->plugin);
   record.verdicts = report.verdicts;
+  for (const SceneWarning& warning : simulation.warnings())
+    record.verdicts.push_back({warning.name, warning.text, Severity::note, warning.value, warning.bound});
   if (record.neighbours && record.neighbours->smallest == 0 && record.particles > 1) {
     record.verdicts.push_back({"lost-neighbours",
                                "some water particle has no neighbour within its support: the depth or density there is "
                                "that of a lone particle, and no force reaches it",
                                Severity::suspect, 0, 1, record.time});
+  }
+  for (const auto& doubt : simulation.doubts()) record.verdicts.push_back({"scene", doubt, Severity::note, {}, {}, {}});
+  for (const auto& field : report.failure.empty() && comparison != nullptr ? comparison->at_particles(simulation)
+                                                                           : std::vector<ExactField>{}) {
+    if (field.name != "velocity_x") continue;
+    if (auto verdict = locked_bed(simulation, field.exact)) record.verdicts.push_back(std::move(*verdict));
   }
   if (!report.failure.empty())
     record.verdicts.push_back({"blew-up", report.failure, Severity::failed, {}, {}, record.time});

@@ -26,13 +26,14 @@ FieldErrors field_errors(const ErrorInput& in) {
   const std::size_t n = in.computed.size();
   assert(in.exact.size() == n && in.scale.size() == n && in.measure.size() == n && in.counts.size() == n);
   FieldErrors errors;
-  CompensatedSum squares, misplaced, integral, scale_integral;
+  CompensatedSum squares, misplaced, missing, integral, scale_integral;
   for (std::size_t i = 0; i < n; ++i) {
     if (in.counts[i] == 0 || !(in.scale[i] > 0) || std::isinf(in.scale[i])) continue;
     const double difference = std::abs(in.computed[i] - in.exact[i]);
     const double relative = difference / in.scale[i];
     squares.add(relative * relative);
     misplaced.add(difference * in.measure[i]);
+    missing.add((in.computed[i] - in.exact[i]) * in.measure[i]);
     integral.add(std::abs(in.exact[i]) * in.measure[i]);
     scale_integral.add(in.scale[i] * in.measure[i]);
     errors.linf = larger(errors.linf, relative);
@@ -42,11 +43,12 @@ FieldErrors field_errors(const ErrorInput& in) {
   const bool zero = integral.value() <= zero_field * scale_integral.value();
   errors.normalisation = zero ? "scale" : "exact";
   if (errors.count == 0) {
-    errors.l1 = errors.l2 = errors.linf = nan;
+    errors.l1 = errors.l2 = errors.linf = errors.mean = nan;
     return errors;
   }
   errors.l2 = std::sqrt(squares.value() / static_cast<double>(errors.count));
   errors.l1 = misplaced.value() / (zero ? scale_integral : integral).value();
+  errors.mean = std::abs(missing.value()) / (zero ? scale_integral : integral).value();
   return errors;
 }
 

@@ -2,10 +2,11 @@
 //
 //   L2   = sqrt( 1/N sum_i ((phi_i - phi_i^e) / s_i)^2 )          Diwakar & Mohapatra (2023), eq. 17
 //   L1   = sum_i |phi_i - phi_i^e| dx_i / sum_i |phi_i^e| dx_i    the share of the field's integral that is misplaced
+//   mean = |sum_i (phi_i - phi_i^e) dx_i| / sum_i |phi_i^e| dx_i  the same for the integral itself: of a velocity, the discharge
 //   Linf = max_i |phi_i - phi_i^e| / s_i
 //
 // The scale s is the paper's phi^N: the exact depth for a depth, sqrt(g h^e) for a velocity. Where the exact field is
-// zero everywhere (water at rest) the L1 norm is divided by sum_i s_i dx_i instead, and says so.
+// zero everywhere (water at rest) L1 and mean are divided by sum_i s_i dx_i instead, and the record says so.
 // At a shock L2 is made by one to three particles and converges with N^-1/2 at best; L1 is the one to judge order by.
 #pragma once
 
@@ -23,9 +24,9 @@ struct ErrorInput {
 };
 
 struct FieldErrors {
-  double l1 = 0, l2 = 0, linf = 0;      // dimensionless; NaN when no particle counts or a value is not finite
+  double l1 = 0, l2 = 0, linf = 0, mean = 0;  // dimensionless; NaN when no particle counts or a value is not finite
   std::int64_t count = 0, ignored = 0;  // particles in the norms and left out; their sum is the number of particles
-  std::string normalisation;            // of l1: "exact" or "scale"
+  std::string normalisation;            // of l1 and mean: "exact" or "scale"
 };
 
 // A particle whose scale is not a number above 0 is ignored. Sums are compensated and in the order given.

@@ -47,8 +47,9 @@ const char* name_of(Severity severity) {
 Json errors_of(const RunRecord& record) {
   Json all = Json::object();
   for (const auto& [field, e] : record.errors) {
-    all[field] = {{"l1", number(e.l1)}, {"l2", number(e.l2)},   {"linf", number(e.linf)},
-                  {"count", e.count},   {"ignored", e.ignored}, {"normalisation", e.normalisation}};
+    all[field] = {
+        {"l1", number(e.l1)}, {"l2", number(e.l2)},   {"linf", number(e.linf)},          {"mean", number(e.mean)},
+        {"count", e.count},   {"ignored", e.ignored}, {"normalisation", e.normalisation}};
   }
   if (!record.surface.empty()) {
     Json by_time = Json::object(), bias = Json::object(), points = Json::object();

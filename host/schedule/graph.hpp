@@ -48,6 +48,10 @@ struct GraphField {
   std::vector<int> writers;          // nodes of the rate phase
   std::vector<int> initial_writers;  // nodes that run at t = 0
   std::string first_user;            // for messages
+
+  [[nodiscard]] bool is_given() const {  // somebody gives it a value
+    return given || evolved || occasional || !writers.empty() || !initial_writers.empty();
+  }
 };
 
 struct NodeRead {

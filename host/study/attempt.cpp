@@ -24,11 +24,12 @@ std::string identity_of(const Case& scene) {
 std::vector<std::string> error_fields_of(const Case& scene) {
   static constexpr const char* axes[3][3] = {{"", "", ""}, {"_x", "_z", ""}, {"_x", "_y", "_z"}};
   std::vector<std::string> names;
-  if (!scene.reference) return names;
-  for (const FieldDescription& field : scene.reference->plugin.description->gives) {
+  const std::vector<FieldDescription> none;
+  for (const FieldDescription& field : scene.reference ? scene.reference->plugin.description->gives : none) {
     const int count = components(field.shape, scene.dimension);
     for (int c = 0; c < count; ++c) names.push_back(field.name + (count > 1 ? axes[scene.dimension - 1][c] : ""));
   }
+  if (scene.surface) names.emplace_back(measured_surface);
   return names;
 }
 

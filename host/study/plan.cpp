@@ -190,21 +190,27 @@ std::string folder_name(const std::string& words, const std::string& identity) {
 }
 
 std::string first_error(const Trial& trial) {
-  return trial.error_fields.empty() ? "" : "errors." + trial.error_fields.front() + ".l1";
+  if (trial.error_fields.empty()) return "";
+  const std::string& field = trial.error_fields.front();
+  return "errors." + field + (field == measured_surface ? ".rmse" : ".l1");
 }
 
 // Errors against a reference are known beforehand; other numbers of run.json are seen when runs have ended.
 void check_errors(const Study& study, const std::vector<std::string>& fields, Mistakes& mistakes) {
   std::vector<std::string> known;
   for (const std::string& field : fields) {
-    for (const char* norm : {"l1", "l2", "linf"}) known.push_back(fmt::format("errors.{}.{}", field, norm));
+    if (field == measured_surface) {
+      known.push_back(fmt::format("errors.{}.rmse", field));
+      continue;
+    }
+    for (const char* norm : {"l1", "l2", "linf", "mean"}) known.push_back(fmt::format("errors.{}.{}", field, norm));
   }
   for (std::size_t k = 0; k < study.errors.size(); ++k) {
     const std::string& error = study.errors[k];
     if (error.rfind("errors.", 0) != 0 || std::find(known.begin(), known.end(), error) != known.end()) continue;
     if (known.empty()) {
       mistakes.add(study.error_places[k],
-                   fmt::format("\"{}\" needs a [reference] in a case, and no case has one", error));
+                   fmt::format("\"{}\" needs a [reference] or a [surface] in a case, and no case has one", error));
       continue;
     }
     std::string hint = did_you_mean(error, known);

@@ -11,13 +11,16 @@
 
 namespace riffle {
 
+// In a list of fields that have errors: the surface against measured levels, which has one number only.
+inline constexpr const char* measured_surface = "surface";
+
 // What trying a combination tells without running it.
 struct Trial {
   std::vector<std::string> refusals;  // sentences as the manifest and the schedule say them; empty: it can be run
   std::string identity;               // two runs with the same identity compute the same
   std::string case_name, title;
   int dimension = 1;
-  std::vector<std::string> error_fields;  // that its reference compares, in the reference's order
+  std::vector<std::string> error_fields;  // that its reference compares, in the reference's order; measured_surface
 };
 using TryCombination =
     std::function<Trial(const std::filesystem::path& manifest, const std::vector<std::string>& overrides)>;

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "host/particles/placement.hpp"
 #include "host/plugins/contracts.hpp"
+#include "host/time/porosity_at.hpp"
 #include "host/time/reference_start.hpp"
 
 namespace riffle {
@@ -45,6 +45,7 @@ Simulation::Simulation(const Case& scene, const Registry& registry, const Simula
   boundaries_->connect(*evaluator_, *neighbourhood_);
   evaluator_->run_initial_passes();
   boundaries_->begin(0);
+  look_at_scene();
 }
 
 const std::vector<std::string>& averaged_fields() {
@@ -98,38 +99,12 @@ void Simulation::create_plugins(const Registry& registry) {
     wanted.insert(wanted.end(), averaged_fields().begin(), averaged_fields().end());
   }
   graph_ = std::make_unique<Graph>(case_.dimension, active, given, wanted);
+  require_shown_fields();
   require_that_terrain_is_used();
 }
 
-// Along a channel, a bed or a width that no pass reads would be left out of the equations without a word.
-void Simulation::require_that_terrain_is_used() const {
-  if (case_.dimension != 1) return;
-  const auto reads = [&](const PassNode& node, const char* field) {
-    const bool own = node.plugin + 1 == static_cast<int>(graph_->plugins().size());  // those that offer the fields
-    const auto is_field = [&, wanted = graph_->field(field)](const NodeRead& read) { return read.field == wanted; };
-    return !own && graph_->field(field) >= 0 && std::any_of(node.reads.begin(), node.reads.end(), is_field);
-  };
-  const auto unused = [&](std::initializer_list<const char*> fields) {
-    return std::none_of(graph_->nodes().begin(), graph_->nodes().end(), [&](const PassNode& node) {
-      return std::any_of(fields.begin(), fields.end(), [&](const char* field) { return reads(node, field); });
-    });
-  };
-  std::vector<std::string> lines;
-  const auto add = [&](const char* kind, const char* what) {
-    lines.push_back(instance_of(kind)->name() + " has no effect: " + instance_of("equations")->name() +
-                    " does not read the " + what);
-  };
-  if (terrain_->has_bed() &&
-      unused({"bed_level", "bed_slope", "smoothed_bed_level", "smoothed_bed_slope", "water_level"})) {
-    add("bed", "bed");
-  }
-  if (terrain_->has_width() && unused({"channel_width", "width_slope"})) add("width", "width of the channel");
-  if (instance_of("porosity") != nullptr && unused({"porosity"})) add("porosity", "porosity");
-  if (!lines.empty()) throw ScheduleError(lines);
-}
-
 void Simulation::place_particles() {
-  const PlacedParticles placed = place(case_);
+  const PlacedParticles placed = place(case_, porosity_of(instance_of("porosity")));
   const auto n = static_cast<std::int64_t>(placed.cell_measure.size());
   for (const char* name : {"position", "cell_measure"}) {
     store_.add_field(graph_->fields()[static_cast<std::size_t>(graph_->field(name))].description, FieldUse::evolved);
@@ -146,27 +121,9 @@ void Simulation::place_particles() {
   require_enough_particles(n);
 }
 
-// Fewer particles along the channel than one support holds: every sum would miss a part of its kernel.
-void Simulation::require_enough_particles(std::int64_t n) const {
-  const PluginInstance* const kernel = instance_of("kernel");
-  if (case_.dimension != 1 || kernel == nullptr) return;
-  riffle_kernel about{};
-  about.size = sizeof about;
-  kernel->table().kernel(kernel->self(), &about);
-  const double needed = 2 * about.support * case_.smoothing_ratio;
-  if (static_cast<double>(n) >= needed) return;
-  std::ostringstream text;
-  text << "initial.particles must be at least " << std::ceil(needed) << " for " << kernel->name()
-       << " at smoothing_ratio " << case_.smoothing_ratio << ", whose support holds so many, got " << n;
-  throw ScheduleError({text.str()});
-}
-
 void Simulation::add_fields() {
   for (const auto& field : graph_->fields()) {
-    if (field.pair_source != PairSource::none) continue;
-    const bool used =
-        field.given || field.evolved || field.occasional || !field.writers.empty() || !field.initial_writers.empty();
-    if (!used) continue;
+    if (field.pair_source != PairSource::none || !field.is_given()) continue;
     const FieldUse use = field.evolved                       ? FieldUse::evolved
                          : field.attribute                   ? FieldUse::attribute
                          : field.carried || field.occasional ? FieldUse::carried
@@ -198,6 +155,7 @@ StepReport Simulation::step(double until) {
   if (!std::isfinite(limit.dt)) {
     throw RunError("nothing limits the time step; give time.step or time.max_step");
   }
+  blow_up_.look(store_, limit, steps_);
   const double left = until - time_;
   report = {limit.dt, limit.name};
   bool reaches = false;

@@ -13,8 +13,10 @@
 #include "host/schedule/evaluator.hpp"
 #include "host/schedule/host_fields.hpp"
 #include "host/terrain/terrain_fields.hpp"
+#include "host/time/blow_up.hpp"
 #include "host/time/boundaries.hpp"
 #include "host/time/integrator.hpp"
+#include "host/time/scene_rules.hpp"
 
 namespace riffle {
 
@@ -58,7 +60,11 @@ class Simulation {
   [[nodiscard]] Boundaries& boundaries() { return *boundaries_; }
   [[nodiscard]] const riffle_services& services() const { return terrain_->services(); }
   [[nodiscard]] std::size_t bytes() const { return store_.bytes() + neighbourhood_->bytes(); }
+  // What plugins find doubtful about the scene, a sentence each.
+  [[nodiscard]] const std::vector<std::string>& doubts() const { return terrain_->warnings(); }
   [[nodiscard]] std::int64_t particle_steps() const { return particle_steps_; }
+  // What makes the result doubtful from the start.
+  [[nodiscard]] const std::vector<SceneWarning>& warnings() const { return warnings_; }
   // Sum of conserved amount times velocity over the water, per axis.
   [[nodiscard]] std::vector<double> momentum() const;
   // Brings derived fields up to date for output.
@@ -74,8 +80,10 @@ class Simulation {
   [[nodiscard]] const PluginInstance* instance_of(const std::string& kind) const;
   void create_plugins(const Registry& registry);
   void place_particles();
+  void require_shown_fields() const;
   void require_that_terrain_is_used() const;
   void require_enough_particles(std::int64_t n) const;
+  void look_at_scene();
   void add_fields();
   [[nodiscard]] std::vector<std::string> saved_fields() const;
 
@@ -90,9 +98,11 @@ class Simulation {
   std::unique_ptr<Neighbourhood> neighbourhood_;
   std::unique_ptr<Evaluator> evaluator_;
   std::unique_ptr<Integrator> integrator_;
+  BlowUp blow_up_;
   std::unique_ptr<Boundaries> boundaries_;
   double time_ = 0, last_dt_ = 0;
   std::int64_t steps_ = 0, particle_steps_ = 0;
+  std::vector<SceneWarning> warnings_;
 };
 
 }  // namespace riffle

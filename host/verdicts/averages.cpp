@@ -37,7 +37,7 @@ Averages::Averages(const Simulation& simulation, double from)
   const auto up = static_cast<std::size_t>(store.dim() - 1);
   open_ = store.role_begin(2) < store.role_begin(4);
   if (store.role_begin(1) == 0) return;
-  spacing_ = std::pow(store.data("cell_measure")[0], 1.0 / store.dim());
+  spacing_ = simulation.scene().placement.spacing;
   low_ = simulation.scene().lower[up];
   length_ = simulation.scene().upper[0] - simulation.scene().lower[0];
   if (store.dim() == 3) length_ *= (simulation.scene().upper[1] - simulation.scene().lower[1]) / spacing_;

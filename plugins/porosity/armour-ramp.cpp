@@ -6,6 +6,7 @@
 // Not in it: the roughness of the bed along x; the ramp stands for its mean.
 #include <riffle/armour_bed.hpp>
 #include <riffle/porosity.hpp>
+#include <riffle/services.hpp>
 #include <string>
 
 struct ArmourRamp {
@@ -41,6 +42,8 @@ struct ArmourRamp {
   }
   void connect(const riffle_services& s) {
     domain.services = &s;
+    riffle::require_level_within_domain(s, "trough", bed.trough);
+    riffle::require_level_within_domain(s, "crest", bed.crest);
     check_armour_bed(bed, {});
   }
   [[nodiscard]] double porosity(const std::array<double, 3>& x) const {

@@ -1,5 +1,6 @@
 """Studies: what riffle compare runs, skips, resumes and refuses."""
 import csv
+import json
 import os
 import random
 import re
@@ -8,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 from scene import PROGRAM, SOURCE, Scene, main
@@ -29,6 +31,15 @@ plugins.viscosity.id = "none"
 plugins.viscosity.alpha = 1
 {tables}
 """
+
+
+def coarsest(text):
+    """The study with the first of its resolutions alone."""
+    def first(line):
+        key, values = line.split(" = ", 1)
+        return f"{key} = [{json.dumps(tomllib.loads('values = ' + values)['values'][0])}]"
+    section = re.search(r"^\[resolution\].*\n((?:\S+ = .*\n)+)", text, re.M)
+    return text.replace(section[1], "".join(first(line) + "\n" for line in section[1].splitlines()))
 
 
 class Compare(Scene):
@@ -203,8 +214,9 @@ class Compare(Scene):
             with self.subTest(study=f"{source.parent.name}/{source.name}"):
                 closures = len(re.findall(r"^\[closures", text, re.M))
                 text = re.sub(r'"([^"]+\.(?:toml|csv))"', lambda m: f'"{source.parent / m[1]}"', text)
-                text = re.sub(r"(initial.particles.count = )\[([^,\]]+),[^\]]*\]", r"\1[\2]", text)
-                text = text.replace("[study]", "[study]\npictures = false", 1)
+                text = coarsest(text)
+                text = re.sub(r"^pictures = .*\n", "", text, flags=re.M).replace("[study]", "[study]\npictures = false", 1)
+                text = re.sub(r"^time\.end = .*\n", "", text, flags=re.M)
                 text = text.replace("[set]", "[set]\ntime.end = 0.1", 1) if "[set]" in text else text + "\n[set]\ntime.end = 0.1\n"
                 name = f"{source.parent.name}-{source.name}"
                 (self.home / name).write_text(text)

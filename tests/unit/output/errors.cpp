@@ -25,6 +25,9 @@ TEST(Errors, AreThoseOfTheFormulas) {
   EXPECT_DOUBLE_EQ(e.l2, std::sqrt((0.25 + 0 + 0.25) / 3));
   EXPECT_DOUBLE_EQ(e.l1, (1 * 0.5 + 2 * 0.25) / (2 * 0.5 + 1 * 1 + 4 * 0.25));
   EXPECT_DOUBLE_EQ(e.linf, 0.5);
+  EXPECT_DOUBLE_EQ(e.mean, 0);  // what is too much here is missing there
+  const Sample less{{1, 1}, {2, 1}, {2, 1}, {0.5, 1}, {1, 1}};
+  EXPECT_DOUBLE_EQ(less.errors().mean, 1 * 0.5 / (2 * 0.5 + 1 * 1));
   EXPECT_EQ(e.count, 3);
   EXPECT_EQ(e.ignored, 0);
   EXPECT_EQ(e.normalisation, "exact");

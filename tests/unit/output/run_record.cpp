@@ -21,7 +21,7 @@ RunRecord sample() {
   r.time = 6;
   r.steps = 4;
   r.particles = 8000;
-  r.errors["depth"] = {0.1, 0.2, 0.3, 7990, 10, "exact"};
+  r.errors["depth"] = {0.1, 0.2, 0.3, 0.05, 7990, 10, "exact"};
   r.extrema["depth"] = {5, 10, 10};
   r.mass = {100, 0, 0, 100};
   r.momentum = {{0}, {1}, 2};
@@ -58,6 +58,7 @@ TEST(RunRecord, HasTheKeysThatScriptsRelyOn) {
                           "/errors/depth/l1",
                           "/errors/depth/l2",
                           "/errors/depth/linf",
+                          "/errors/depth/mean",
                           "/extrema/depth/min",
                           "/extrema/depth/max",
                           "/extrema/depth/max_abs",
