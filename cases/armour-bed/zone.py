@@ -4,8 +4,9 @@
   zone.py RUN [FROM [x1 x2]]      FROM in s (half of the run); x1, x2 in m (4.5 and 6.5 inlet depths)
 
 The run needs [output] profiles and fields velocity, pressure, porosity, mass, density and drag_rate. Per third of the zone: depth
-(volume of water and grains per length), discharge, mean velocity above the crest. Over the zone: drag over weight along the
-bed, and what pressure and momentum bring in through its ends, over the same; the wall takes 0.1 %.
+(volume of water and grains per length), discharge, mean velocity above the crest. Over the zone: drag over weight along the bed;
+what the fall of the surface adds to the weight, by the pressure of the water above the crest; and the momentum that comes in
+less that which goes out. Drag = 1 + both, less the 0.1 % of the wall.
 """
 
 import csv
@@ -36,7 +37,7 @@ def main():
         plugins = record["manifest"]["plugins"]
         crest, force = plugins["porosity"]["crest"], 9.81 * plugins["equations"]["bed_slope"]
     samples, thirds, weight, drag = 0, [[0.0] * 4 for _ in range(3)], 0.0, 0.0
-    half, ends = 0.1, [0.0, 0.0]
+    half, head, flux = 0.1, [[0.0, 0.0], [0.0, 0.0]], [0.0, 0.0]
     for path in paths:
         time, rows = rows_of(path)
         if time < begin:
@@ -48,7 +49,10 @@ def main():
             for k, end in enumerate((x1, x2)):
                 off = abs(x - end) / half
                 if off < 1:
-                    ends[k] += (1 - off) / half * m / rho * (float(row["pressure"]) + rho * u * u)
+                    flux[k] += (1 - off) / half * m * u * u
+                    if z > crest:
+                        head[k][0] += 1 - off
+                        head[k][1] += (1 - off) * (z + float(row["pressure"]) / 9810)
             if not x1 <= x < x2:
                 continue
             weight += m * force
@@ -64,7 +68,8 @@ def main():
     for k, (volume, carried, above, fast) in enumerate(thirds):
         print(f"  third {k + 1}: depth {1000 * volume / length:.2f} mm, q {carried / length:.5f} m2/s, "
               f"U above the crest {fast / above:.4f} m/s")
-    print(f"  drag over weight {drag / weight:.4f}; through the ends {(ends[0] - ends[1]) / weight:+.4f} of it")
+    fall = (head[0][1] / head[0][0] - head[1][1] / head[1][0]) / (x2 - x1) * 9.81 / force
+    print(f"  drag over weight {drag / weight:.4f}; fall of the surface {fall:+.4f}, momentum {(flux[0] - flux[1]) / weight:+.4f} of it")
     if record:
         for plugin in record["plugins"]:
             if plugin["state"] and plugin["id"] == "outflow-imaginary-wall":
