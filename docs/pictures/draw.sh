@@ -57,3 +57,13 @@ plot "hydraulic-jump-fr4.23/profile.csv" using "x":"depth_exact" with lines lw 2
      "test4-profile.csv" using "x_m":"h_m" with points pt 6 ps 1.6 lw 1.5 lc rgb "#1a1a1a" title "measured (Gharangik and Chaudhry 1991, test 4)"
 END
 cp jump-fr4.23.png "$root/docs/pictures/jump-fr4.23.png"
+
+# Water in pores
+"$riffle" run "$root/cases/porous-dam/crushed-rock.toml" --out "$folder/dam22" --threads 1 --quiet
+gnuplot "$root/docs/pictures/porous-dam.gp"
+cp porous-dam-crushed-rock.png "$root/docs/pictures/porous-dam-crushed-rock.png"
+for case in seepage/block breakwater/porous; do
+  name=${case//\//-}
+  "$riffle" run "$root/cases/$case.toml" --out "$folder/$name" --threads 1 --quiet
+  cp "$folder/$name/picture.png" "$root/docs/pictures/$name.png"
+done

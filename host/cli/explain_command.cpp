@@ -106,6 +106,7 @@ void explain(Simulation& simulation) {
     std::cout << fmt::format("  {:<24}{:<15}{:<11}{:>6}          {}\n", name, field->description.unit,
                              use_name(field->use), 8 * field->component.size(), field->description.meaning);
   }
+  for (const auto& doubt : simulation.doubts()) std::cout << "\nwarning: " << doubt << "\n";
   for (const auto& warning : simulation.warnings()) std::cout << "\nwarning: " << warning.text << "\n";
   for (const auto& note : graph.notes()) std::cout << "\nnote: " << note << "\n";
 }

@@ -96,6 +96,7 @@ class Driver {
       snapshots.write(simulation.store(), 0, 0);
     }
     for (const auto& warning : simulation.warnings()) log_->warn("{}", warning.text);
+    for (const auto& doubt : simulation.doubts()) log_->warn("{}", doubt);
     for (const auto& note : simulation.graph().notes()) log_->debug("{}", note);  // in log.txt only
     log_->info("{}: {} particles, {} threads, to t = {} s", case_.name, simulation.store().owned(),
                omp_get_max_threads(), case_.time.end);

@@ -13,6 +13,7 @@
 #include "host/output/profiles.hpp"
 #include "host/particles/placement.hpp"
 #include "host/particles/water.hpp"
+#include "host/verdicts/pores.hpp"
 
 namespace riffle {
 
@@ -314,6 +315,9 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
       else
         p.parameters[value.name] = value.number;
     }
+    const auto& active = simulation.graph().plugins();
+    const auto of = std::find_if(active.begin(), active.end(), [&](const auto& a) { return a.slot == choice.slot; });
+    if (of != active.end()) p.state = simulation.boundaries().state(static_cast<std::size_t>(of - active.begin()));
     record.plugins.push_back(std::move(p));
   };
   for (const auto& choice : scene.plugins) add(choice);
@@ -326,6 +330,12 @@ RunRecord make_record(Simulation& simulation, const Registry& registry, const Co
                                "some water particle has no neighbour within its support: the depth or density there is "
                                "that of a lone particle, and no force reaches it",
                                Severity::suspect, 0, 1, record.time});
+  }
+  for (const auto& doubt : simulation.doubts()) record.verdicts.push_back({"scene", doubt, Severity::note, {}, {}, {}});
+  for (const auto& field : report.failure.empty() && comparison != nullptr ? comparison->at_particles(simulation)
+                                                                           : std::vector<ExactField>{}) {
+    if (field.name != "velocity_x") continue;
+    if (auto verdict = locked_bed(simulation, field.exact)) record.verdicts.push_back(std::move(*verdict));
   }
   if (!report.failure.empty())
     record.verdicts.push_back({"blew-up", report.failure, Severity::failed, {}, {}, record.time});

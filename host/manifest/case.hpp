@@ -32,7 +32,7 @@ struct PluginChoice {
 };
 
 struct Placement {
-  enum class Mode { spacing, count, equal_volume };
+  enum class Mode { spacing, count, equal_volume, equal_volume_in_plane };
   Mode mode = Mode::spacing;
   double spacing = 0;       // m; spacing mode, and in the vertical plane
   std::int64_t count = 0;   // count and equal_volume

@@ -120,7 +120,7 @@ std::vector<ManifestKey> make_keys() {
       optional(integer("initial.particles", "count", 1, largest_count,
                        "number of particles, in one dimension; this or spacing")),
       choice("initial.particles", "placement", {"equal-spacing", "equal-volume"},
-             "whether particles share the wetted length equally, or the water (by count only)"),
+             "whether particles share the wetted space equally, or the water (by count, or in the vertical plane)"),
       perturbation,
       with_default(integer("initial.particles", "seed", 0, largest_integer, "picks the random displacements"), 1),
 

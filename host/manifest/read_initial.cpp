@@ -148,7 +148,7 @@ void read_particles(Reading& reading) {
     const TomlEntry* const count = table.find("count");
     const TomlEntry* const spacing = table.find("spacing");
     if (by_volume) {
-      placement.mode = Placement::Mode::equal_volume;
+      placement.mode = reading.dim == 2 ? Placement::Mode::equal_volume_in_plane : Placement::Mode::equal_volume;
     } else {
       placement.mode = count != nullptr ? Placement::Mode::count : Placement::Mode::spacing;
     }
@@ -156,12 +156,12 @@ void read_particles(Reading& reading) {
       reading.mistakes.add(count != nullptr ? count->place : table.place,
                            fmt::format("initial.particles must have either spacing or count, got {}",
                                        count != nullptr ? "both" : "neither"));
-    } else if (reading.dim > 1 && (count != nullptr || by_volume)) {
+    } else if (reading.dim > 1 && (count != nullptr || (by_volume && reading.dim == 3))) {
       reading.mistakes.add(
           count != nullptr ? count->place : table.find("placement")->value.place,
           fmt::format("initial.particles must be placed by spacing when domain.dimension is {}, got {}", reading.dim,
                       count != nullptr ? "count" : "placement = \"equal-volume\""));
-    } else if (by_volume && count == nullptr && reading.mistakes.count() == before) {
+    } else if (by_volume && reading.dim == 1 && count == nullptr && reading.mistakes.count() == before) {
       reading.mistakes.add(spacing->place,
                            "initial.particles with placement = \"equal-volume\" must have count, got spacing");
     }

@@ -110,11 +110,26 @@ const PluginDescription* equation_set(const Reading& reading) {
   return nullptr;
 }
 
+namespace {
+
+// What the equation set is given, other plugins may take as their default: "equations.bed_slope".
+void offer_to_inherit(Reading& reading, const PluginChoice& equations) {
+  for (const ParameterValue& value : equations.values) {
+    const auto& all = equations.description->parameters;
+    const auto of = std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == value.name; });
+    if (of->type == ParameterType::text || of->type == ParameterType::function) continue;
+    reading.quantities["equations." + value.name] = value.number;
+  }
+}
+
+}  // namespace
+
 void read_plugins(Reading& reading) {
   std::map<std::string, std::vector<const TomlEntry*>> slots_of_kind;
   bool kind_unclear = false;
   const TomlNode* const plugins = find_table(reading, "plugins");
   if (plugins != nullptr) {
+    std::vector<std::pair<const TomlEntry*, std::string>> slots;
     for (const TomlEntry& slot : plugins->entries) {
       if (!slot.value.is_table()) {
         reading.mistakes.add(slot.place, fmt::format("plugins.{} must be a table [plugins.{}] with an id, got {}",
@@ -128,11 +143,21 @@ void read_plugins(Reading& reading) {
         continue;
       }
       slots_of_kind[kind].push_back(&slot);
-      nlohmann::ordered_json& effective = reading.effective["plugins"][slot.key];
-      effective["kind"] = kind;
-      if (auto plugin = read_plugin(reading, slot.value, "plugins." + slot.key, kind, {"kind"}, effective)) {
-        reading.result.plugins.push_back(std::move(*plugin));
+      reading.effective["plugins"][slot.key]["kind"] = kind;
+      slots.emplace_back(&slot, kind);
+    }
+    std::map<const TomlEntry*, std::optional<PluginChoice>> read;
+    for (const bool equations : {true, false}) {  // first, because others inherit from it
+      for (const auto& [slot, kind] : slots) {
+        if ((kind == "equations") != equations) continue;
+        auto plugin = read_plugin(reading, slot->value, "plugins." + slot->key, kind, {"kind"},
+                                  reading.effective["plugins"][slot->key]);
+        if (equations && plugin) offer_to_inherit(reading, *plugin);
+        read[slot] = std::move(plugin);
       }
+    }
+    for (const auto& slot : slots) {
+      if (auto& plugin = read[slot.first]) reading.result.plugins.push_back(std::move(*plugin));
     }
   }
   if (plugins != nullptr) {

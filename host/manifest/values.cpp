@@ -221,7 +221,9 @@ std::optional<ReadValue> default_value(Reading& reading, const SourcePlace& tabl
     case ParameterType::choice: {
       const auto& choices = description.choices;
       const auto found = std::find(choices.begin(), choices.end(), description.fallback_text);
-      const auto index = found == choices.end() ? 0 : found - choices.begin();
+      const auto index = !description.inherit.empty() ? static_cast<std::ptrdiff_t>(number)
+                         : found == choices.end()     ? 0
+                                                      : found - choices.begin();
       read.value.number = static_cast<double>(index);
       if (!choices.empty()) read.value.text = choices[static_cast<std::size_t>(index)];
       read.effective = read.value.text;

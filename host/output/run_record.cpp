@@ -139,7 +139,8 @@ Json plugins_of(const RunRecord& record) {
                    {"library", p.library},
                    {"hash", p.hash},
                    {"build", p.build},
-                   {"parameters", p.parameters}});
+                   {"parameters", p.parameters},
+                   {"state", p.state.empty() ? Json(nullptr) : numbers(p.state)}});
   }
   return all;
 }

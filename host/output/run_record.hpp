@@ -47,6 +47,7 @@ struct StepLimit {
 struct PluginRecord {
   std::string slot, kind, id, version, library, hash, build;
   nlohmann::ordered_json parameters = nlohmann::ordered_json::object();  // all in force, SI
+  std::vector<double> state = {};  // numbers that a boundary remembers, at the end
 };
 
 struct NeighbourStatistics {

@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "host/particles/equal_water.hpp"
 #include "host/particles/quantiles.hpp"
 #include "host/particles/water.hpp"
 
@@ -158,12 +159,15 @@ void perturb(const Case& scene, const Water& water, Placed& placed) {
 
 }  // namespace
 
-PlacedParticles place(const Case& scene) {
+PlacedParticles place(const Case& scene, const PorosityAt& porosity) {
   const Water water(scene);
   const Placement& placement = scene.placement;
   Placed placed;
   if (placement.mode == Placement::Mode::spacing) {
     placed = place_by_spacing(scene, water);
+  } else if (placement.mode == Placement::Mode::equal_volume_in_plane) {
+    placed.particles = place_equal_water(scene, water, porosity);
+    for (const double cell : placed.particles.cell_measure) placed.width.push_back(std::sqrt(cell));
   } else {
     const std::int64_t samples = std::clamp<std::int64_t>(8 * placement.count, 8192, 262144);
     const std::vector<Stretch> stretches = stretches_of(water, scene.lower[0], scene.upper[0], samples);

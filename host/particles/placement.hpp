@@ -12,12 +12,17 @@
 // between cells falls on a jump exactly when the numbers allow it (the water on its left is a whole number of cells);
 // otherwise one cell straddles it, as equal volumes demand. What is narrower than 1/8192 of the domain may be missed.
 //
+//   equal volume in the vertical plane
+//                 each particle stands for the water of spacing x spacing, in pores too: host/particles/equal_water.hpp.
+//
 // A perturbation then moves each particle along each axis by up to that share of the width of its cell, uniformly, by a
 // generator whose numbers are the same everywhere. A particle that this would take out of the water stays. Cells keep
 // their measure.
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -36,6 +41,9 @@ struct PlacedParticles {
   std::vector<double> cell_measure;      // m^d: the part of the wet domain that the particle stands for
 };
 
-PlacedParticles place(const Case& scene);
+// Share of the space that is open to water, at n points of the vertical plane.
+using PorosityAt = std::function<void(std::int64_t n, const double* x, const double* z, double* phi)>;
+
+PlacedParticles place(const Case& scene, const PorosityAt& porosity = {});
 
 }  // namespace riffle

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -57,10 +58,11 @@ const std::map<std::string, double>& usual_quantities() {
 
 }  // namespace
 
-const riffle_services& flat_scene() {
-  static const riffle_services scene = [] {
+const riffle_services& flat_scene(int dim) {
+  const auto scene_of = [](int dimensions) {
     riffle_services s{};
     s.size = sizeof s;
+    s.dim = dimensions;
     std::fill_n(s.high, 3, 1.0);
     s.bed = [](const void*, std::int64_t n, const double*, const double*, double* level, double* slope_x,
                double* slope_y) noexcept {
@@ -73,9 +75,13 @@ const riffle_services& flat_scene() {
       if (slope != nullptr) std::fill_n(slope, n, 0.0);
     };
     return s;
-  }();
-  return scene;
+  };
+  static const std::array<riffle_services, 3> scenes{scene_of(1), scene_of(2), scene_of(3)};
+  return scenes.at(static_cast<std::size_t>(std::clamp(dim, 1, 3) - 1));
 }
+
+PluginInstance::PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values)
+    : PluginInstance(plugin, dim, values, &flat_scene(dim)) {}
 
 PluginInstance::PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values,
                                const riffle_services* scene)

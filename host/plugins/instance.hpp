@@ -21,7 +21,7 @@ class PluginError : public std::runtime_error {
 };
 
 // A scene of one metre in each direction, without bed and width: for plugins that are tried on their own.
-const riffle_services& flat_scene();
+const riffle_services& flat_scene(int dim);
 
 // Calls a plugin's `destroy`.
 struct DestroyPlugin {
@@ -36,9 +36,10 @@ class PluginInstance {
   // `values`: one per described parameter, in that order, in SI (PluginChoice.values). They are not checked again: the
   // checker also creates plugins out of their range. Throws PluginError when the plugin does not support `dim`, fails to
   // create, throws, or (then the arithmetic is put right first) changes the floating-point environment.
-  // `scene`: what it is connected to at once; nullptr when the scene does not exist yet: then connect() follows.
+  // `scene`: what it is connected to at once, flat_scene if not said; nullptr when there is none yet: then connect() follows.
+  PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values);
   PluginInstance(const Plugin& plugin, int dim, const std::vector<ParameterValue>& values,
-                 const riffle_services* scene = &flat_scene());
+                 const riffle_services* scene);
 
   // Shows the plugin the scene that it is part of. Throws PluginError when the plugin refuses it.
   void connect(const riffle_services& scene);

@@ -6,14 +6,15 @@ namespace riffle {
 
 namespace {
 
-inline v4 root4(v4 a) {
+__attribute__((always_inline)) inline v4 root4(v4 a) {
   return v4{__builtin_sqrt(a[0]), __builtin_sqrt(a[1]), __builtin_sqrt(a[2]), __builtin_sqrt(a[3])};
 }
 
 // Separation, distance, its square and approach of four pairs. The root is taken here, and not in a loop of its own,
 // because it overlaps with the loads of the next four.
+// Always inlined: records of three quads and more lose a sixth of their speed to calls.
 template <int Dim, bool Approach, int Stride>
-inline void geometry(const v4* xi, const v4* ui, const v4* s, double* w) {
+__attribute__((always_inline)) inline void geometry(const v4* xi, const v4* ui, const v4* s, double* w) {
   v4 dx = xi[0] - s[0], r2 = dx * dx, vr = all4(0.0);
   store4(w, dx);
   if constexpr (Approach) vr = (ui[0] - s[Dim]) * dx;

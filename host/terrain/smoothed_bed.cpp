@@ -103,31 +103,54 @@ SmoothedBed::Window SmoothedBed::window(double x, double reach) const {
   return {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
 
-double SmoothedBed::slope(double x, double smoothing_length) const {
-  const double reach = support_ * smoothing_length;
-  const auto [first, last] = window(x, reach);
-  if (first >= last) return 0;
-  if (alike_[static_cast<std::size_t>(first)] >= last) {  // a support that ends beyond the lattice feels flat bed there
-    const double end = low_ + spacing_ * static_cast<double>(rise_.size());
-    if (rise_[static_cast<std::size_t>(first)] == 0 || (x - reach >= low_ && x + reach <= end)) {
-      return rise_[static_cast<std::size_t>(first)] / spacing_;
-    }
-  }
+std::optional<double> SmoothedBed::constant_slope(double x, double reach, Window cells) const {
+  if (cells.first >= cells.last) return 0.0;
+  const auto first = static_cast<std::size_t>(cells.first);
+  if (alike_[first] < cells.last) return std::nullopt;
+  const double end = low_ + spacing_ * static_cast<double>(rise_.size());
+  // a support that ends beyond the lattice feels flat bed there
+  if (rise_[first] == 0 || (x - reach >= low_ && x + reach <= end)) return rise_[first] / spacing_;
+  return std::nullopt;
+}
+
+template <class Value, class Place>
+double SmoothedBed::mean(double x, double smoothing_length, Window range, const Value& value,
+                         const Place& place) const {
   std::array<double, batch> r{}, inverse{}, w{};
   std::fill(inverse.begin(), inverse.end(), 1 / smoothing_length);
   double sum = 0;
-  for (std::int64_t k = first; k < last; k += batch) {
-    const std::int64_t n = std::min(batch, last - k);
+  for (std::int64_t k = range.first; k < range.last; k += batch) {
+    const std::int64_t n = std::min(batch, range.last - k);
     for (std::int64_t m = 0; m < n; ++m) {
-      r[static_cast<std::size_t>(m)] = std::abs(x - place_[static_cast<std::size_t>(k + m)]);
+      r[static_cast<std::size_t>(m)] = std::abs(x - place(static_cast<std::size_t>(k + m)));
     }
-    std::fill(r.begin() + n, r.end(), 2 * reach);
+    std::fill(r.begin() + n, r.end(), 2 * support_ * smoothing_length);
     kernel_((n + 7) / 8 * 8, r.data(), inverse.data(), w.data());
     for (std::int64_t m = 0; m < n; ++m) {
-      sum += rise_[static_cast<std::size_t>(k + m)] * w[static_cast<std::size_t>(m)];
+      sum += value(static_cast<std::size_t>(k + m)) * w[static_cast<std::size_t>(m)];
     }
   }
   return sum / integral_;
+}
+
+double SmoothedBed::slope(double x, double smoothing_length) const {
+  const double reach = support_ * smoothing_length;
+  const Window cells = window(x, reach);
+  if (const auto same = constant_slope(x, reach, cells)) return *same;
+  return mean(
+      x, smoothing_length, cells, [&](std::size_t k) { return rise_[k]; }, [&](std::size_t k) { return place_[k]; });
+}
+
+// From face to face the slope of the lattice jumps; those jumps, averaged.
+double SmoothedBed::curvature(double x, double smoothing_length) const {
+  const double reach = support_ * smoothing_length;
+  const Window cells = window(x, reach);
+  if (constant_slope(x, reach, cells)) return 0;
+  const auto rise = [&](std::size_t k) { return k < rise_.size() ? rise_[k] : 0.0; };
+  return mean(
+      x, smoothing_length, {cells.first, cells.last + 1},
+      [&](std::size_t k) { return (rise(k) - (k > 0 ? rise_[k - 1] : 0.0)) / spacing_; },
+      [&](std::size_t k) { return low_ + spacing_ * static_cast<double>(k); });
 }
 
 double SmoothedBed::level(double x, double smoothing_length) const {

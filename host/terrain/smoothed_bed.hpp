@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "host/terrain/terrain.hpp"
@@ -27,12 +28,19 @@ class SmoothedBed {
 
   [[nodiscard]] double slope(double x, double smoothing_length) const;
   [[nodiscard]] double level(double x, double smoothing_length) const;
+  [[nodiscard]] double curvature(double x, double smoothing_length) const;  // of b_s, at constant smoothing length
 
  private:
   struct Window {
     std::int64_t first, last;  // cells [first, last) within the support
   };
   [[nodiscard]] Window window(double x, double reach) const;
+  // The slope that is the same throughout the support, if it is.
+  [[nodiscard]] std::optional<double> constant_slope(double x, double reach, Window cells) const;
+  // sum over k in [first, last) of value(k) W(x - place(k), l), over the integral of W
+  template <class Value, class Place>
+  [[nodiscard]] double mean(double x, double smoothing_length, Window range, const Value& value,
+                            const Place& place) const;
   void find_jump(const Terrain& terrain, std::size_t cell);
   void tabulate_share();
   [[nodiscard]] double share(double q) const;

@@ -69,6 +69,12 @@ Terrain::Terrain(const Case& scene, const PluginInstance* bed, const PluginInsta
   services_.width = [](const void* c, std::int64_t n, const double* x, double* width_at, double* slope) noexcept {
     or_nan(n, {width_at, slope}, [&] { static_cast<const Terrain*>(c)->width(n, x, width_at, slope); });
   };
+  services_.spacing = scene.placement.spacing;
+  services_.starts_from_reference = scene.initial_from_reference.empty() ? 0 : 1;
+  services_.warn = [](const void* c, const char* sentence) noexcept {
+    auto& all = static_cast<const Terrain*>(c)->warnings_;
+    if (sentence != nullptr && std::find(all.begin(), all.end(), sentence) == all.end()) all.emplace_back(sentence);
+  };
   check(scene);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "host/manifest/case.hpp"
 #include "host/plugins/instance.hpp"
@@ -19,6 +21,8 @@ class Terrain {
 
   // What plugins are connected to; valid as long as the terrain.
   [[nodiscard]] const riffle_services& services() const { return services_; }
+  // What plugins said of a scene that is doubtful, each once.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] bool has_bed() const { return bed_ != nullptr; }
   [[nodiscard]] bool has_width() const { return width_ != nullptr; }
   // level [m] and gradient [1] at n points; y and slopes may be null. Throws std::runtime_error when the plugin fails.
@@ -30,6 +34,7 @@ class Terrain {
 
   const PluginInstance *bed_, *width_;
   riffle_services services_{};
+  mutable std::vector<std::string> warnings_;
 };
 
 // initial.depth of a case that gives the level instead: what lies between it and the bed, 0 where the bed is higher.

@@ -62,6 +62,15 @@ struct SmoothedBedSlope {
   }
 };
 
+struct SmoothedBedCurvature {
+  static constexpr auto pass_name = "smoothed bed curvature";
+  static constexpr riffle_read reads[] = {at_i(f::position), at_i(f::smoothing_length)};
+  static constexpr riffle_write writes[] = {set(f::smoothed_bed_curvature)};
+  static void run(const TerrainFields& t, const Block& b) {
+    for (std::int64_t k = 0; k < b.size(); ++k) b.out(0)[k] = t.smoothed().curvature(b.in(0)[k], b.in(1)[k]);
+  }
+};
+
 struct WaterLevel {
   static constexpr auto pass_name = "water level";
   static constexpr std::uint32_t targets = with_ends;
@@ -114,11 +123,13 @@ ActivePlugin TerrainFields::as_plugin() const {
   const bool smooth = kernel_ != nullptr && scene_.dimension == 1;
   const riffle_plugin* table =
       terrain_.has_bed() && terrain_.has_width()
-          ? (smooth ? table_of<BedLevel, BedSlope, SmoothedBedLevel, SmoothedBedSlope, WaterLevel, ChannelWidth,
-                               InitialWidth>()
+          ? (smooth ? table_of<BedLevel, BedSlope, SmoothedBedLevel, SmoothedBedSlope, SmoothedBedCurvature, WaterLevel,
+                               ChannelWidth, InitialWidth>()
                     : table_of<BedLevel, BedSlope, WaterLevel, ChannelWidth, InitialWidth>())
-      : terrain_.has_bed()   ? (smooth ? table_of<BedLevel, BedSlope, SmoothedBedLevel, SmoothedBedSlope, WaterLevel>()
-                                       : table_of<BedLevel, BedSlope, WaterLevel>())
+      : terrain_.has_bed()
+          ? (smooth
+                 ? table_of<BedLevel, BedSlope, SmoothedBedLevel, SmoothedBedSlope, SmoothedBedCurvature, WaterLevel>()
+                 : table_of<BedLevel, BedSlope, WaterLevel>())
       : terrain_.has_width() ? table_of<ChannelWidth, InitialWidth>()
                              : table_of<>();
   return {"host", "host", "host", table, this, {}, true};

@@ -9,6 +9,7 @@
 
 #include "host/particles/placement.hpp"
 #include "host/plugins/contracts.hpp"
+#include "host/time/porosity_at.hpp"
 #include "host/time/reference_start.hpp"
 
 namespace riffle {
@@ -103,7 +104,7 @@ void Simulation::create_plugins(const Registry& registry) {
 }
 
 void Simulation::place_particles() {
-  const PlacedParticles placed = place(case_);
+  const PlacedParticles placed = place(case_, porosity_of(instance_of("porosity")));
   const auto n = static_cast<std::int64_t>(placed.cell_measure.size());
   for (const char* name : {"position", "cell_measure"}) {
     store_.add_field(graph_->fields()[static_cast<std::size_t>(graph_->field(name))].description, FieldUse::evolved);

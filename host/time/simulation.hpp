@@ -60,6 +60,8 @@ class Simulation {
   [[nodiscard]] Boundaries& boundaries() { return *boundaries_; }
   [[nodiscard]] const riffle_services& services() const { return terrain_->services(); }
   [[nodiscard]] std::size_t bytes() const { return store_.bytes() + neighbourhood_->bytes(); }
+  // What plugins find doubtful about the scene, a sentence each.
+  [[nodiscard]] const std::vector<std::string>& doubts() const { return terrain_->warnings(); }
   [[nodiscard]] std::int64_t particle_steps() const { return particle_steps_; }
   // What makes the result doubtful from the start.
   [[nodiscard]] const std::vector<SceneWarning>& warnings() const { return warnings_; }

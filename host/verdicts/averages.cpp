@@ -35,8 +35,9 @@ Averages::Averages(const Simulation& simulation, double from)
     : from_(from), density_(simulation.scene().density), gravity_(simulation.scene().gravity) {
   const ParticleStore& store = simulation.store();
   const auto up = static_cast<std::size_t>(store.dim() - 1);
+  open_ = store.role_begin(2) < store.role_begin(4);
   if (store.role_begin(1) == 0) return;
-  spacing_ = std::pow(store.data("cell_measure")[0], 1.0 / store.dim());
+  spacing_ = simulation.scene().placement.spacing;
   low_ = simulation.scene().lower[up];
   length_ = simulation.scene().upper[0] - simulation.scene().lower[0];
   if (store.dim() == 3) length_ *= (simulation.scene().upper[1] - simulation.scene().lower[1]) / spacing_;
@@ -161,7 +162,8 @@ std::vector<Verdict> Averages::verdicts() const {
   if (flow.balance) {
     const double off = std::abs(*flow.balance - 1);
     all.push_back(judged("balance", off, 0.02,
-                         fmt::format("drag and walls hold back {:.4g} of what drives the water", *flow.balance)));
+                         fmt::format("drag{} hold back {:.4g} of what drives the water",
+                                     open_ ? ", walls and open ends" : " and walls", *flow.balance)));
     const double tau = stress_scale();
     double virial = 0;
     for (std::size_t k = 1; k + 1 < flow.z.size(); ++k) virial = std::max(virial, std::abs(flow.virial[k]) / tau);

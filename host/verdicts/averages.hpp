@@ -36,6 +36,7 @@ class Averages {
   [[nodiscard]] double stress_scale() const;
 
   double from_, low_ = 0, spacing_ = 0, length_ = 0, density_, gravity_;
+  bool open_ = false;  // with buffers beyond its ends, whose pressures drive the water, too
   std::int64_t samples_ = 0;
   std::vector<double> count_;
   std::map<std::string, std::vector<double>> sums_;

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "host/verdicts/line_checks.hpp"
+#include "host/verdicts/pores.hpp"
 
 namespace riffle {
 
@@ -29,6 +30,11 @@ std::string sentence(const std::string& name, double value, const std::string& w
         "apart for their support",
         value, where);
   }
+  if (name == "pores")
+    return fmt::format("water where the porosity is smallest had {:.1f} neighbours in the mean at t = 0{}", value,
+                       value < fewest_neighbours_in_pores
+                           ? ", too few for a pressure: take placement = \"equal-spacing\" or a larger smoothing_ratio"
+                           : "");
   if (name == "order") {
     if (value == 0) return "no particle overtook another";
     return fmt::format("particles overtook each other, {:.2g} times per particle, which water in a channel cannot do",
@@ -78,6 +84,10 @@ void Watch::look(Simulation& simulation) {
   const double start = now();
   look_at_mass(simulation);
   if (simulation.scene().dimension == 1) look_along_line(simulation);
+  if (!looked_) {
+    if (const auto mean = neighbours_in_pores(simulation))
+      see("pores", *mean, fewest_neighbours_in_pores, simulation.time(), Worst::smallest);
+  }
   look_at_depth(simulation);
   look_at_energy(simulation);
   looked_ = true;

@@ -65,9 +65,9 @@ struct AdamiWall {
   void connect(const riffle_services& s) { services = &s; }
   void begin(const riffle_editor& e) const {
     if (e.count == 0) return;
-    const double spacing = std::pow(e.read(e.context, "cell_measure", 0)[0], 1.0 / e.dim);
+    const double spacing = riffle::wall_spacing(e, *services);
     const riffle::WallLayers layers(faces, *services, spacing, e.reach[0]);
-    riffle::add_wall_particles(e, RIFFLE_WALL, layers.places(), gravity);
+    riffle::add_wall_particles(e, RIFFLE_WALL, layers.places(), gravity, spacing);
   }
 
   riffle::WallFaces faces;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <riffle/sdk.hpp>
+#include <riffle/services.hpp>
 #include <string>
 #include <vector>
 
@@ -43,14 +44,14 @@ struct Periodic {
   void begin(const riffle_editor& e) const {
     if (e.count == 0) return;
     const double reach = *std::max_element(e.reach, e.reach + e.count);
-    const double* measure = e.read(e.context, "cell_measure", 0);
+    const double spacing = riffle::particle_spacing(services, e.read(e.context, "cell_measure", 0)[0], e.dim);
     for (const int axis : axes) {
       const double period = services->high[axis] - services->low[axis];
       if (period < 2 * reach)
         throw std::invalid_argument("the period of " + std::to_string(period) +
                                     " m must be at least twice the reach of the particles, " + std::to_string(reach) +
                                     " m");
-      const double cells = period / std::pow(measure[0], 1.0 / e.dim);
+      const double cells = period / spacing;
       if (std::abs(cells - std::round(cells)) > 1e-6 * cells)
         throw std::invalid_argument("the period of " + std::to_string(period) +
                                     " m must be a multiple of the particle spacing, and is " + std::to_string(cells) +
@@ -65,7 +66,7 @@ struct Periodic {
       const double slack = 0.05 * e.reach[0], below = low - slack, above = high + slack;
       std::int64_t far = 0;
 #pragma omp simd reduction(+ : far)
-      for (std::int64_t k = 0; k < e.count; ++k) far += (x[k] < below) | (x[k] > above) ? 1 : 0;
+      for (std::int64_t k = 0; k < e.count; ++k) far += x[k] < below || x[k] > above ? 1 : 0;
       if (far == 0) continue;
       double* moved = e.write(e.context, "position", axis);
       for (std::int64_t k = 0; k < e.count; ++k) {

@@ -52,7 +52,9 @@ struct PistonWavemaker {
         gravity(v.number("gravity")),
         rho0(v.number("density")) {
     const std::string word = v.word("law");
+    driven = v.given("displacement");
     if (word == "displacement") return;
+    if (driven) throw std::invalid_argument("displacement is for law = \"displacement\", got law = \"" + word + '"');
     depth = v.number("depth"), height = v.number("height");
     kind_of_law = word == "serre"    ? riffle::PistonLaw::serre
                   : word == "goring" ? riffle::PistonLaw::goring
@@ -62,6 +64,16 @@ struct PistonWavemaker {
 
   void connect(const riffle_services& s) {
     services = &s;
+    if (!by_law && !driven && riffle::has_lattice(s)) {
+      throw std::invalid_argument(
+          "law = \"displacement\" needs displacement, a function of time or a table in CSV; for a solitary wave give "
+          "law = \"serre\", depth and height");
+    }
+    if (by_law) riffle::require_within_domain(s, "depth", depth);
+    if (by_law && height > 0.78 * depth) {
+      riffle::warn<PistonWavemaker>(s, "a solitary wave higher than 0.78 of its depth breaks, and this one has " +
+                                           std::to_string(height / depth));
+    }
     if (by_law) law.emplace(kind_of_law, depth, height, gravity);
     const double length = s.high[0] - s.low[0];
     double far = law ? law->stroke() : 0;
@@ -88,7 +100,7 @@ struct PistonWavemaker {
 
   void begin(const riffle_editor& e) const {
     if (e.count == 0) return;
-    const double spacing = std::pow(e.read(e.context, "cell_measure", 0)[0], 1.0 / e.dim);
+    const double spacing = riffle::wall_spacing(e, *services);
     riffle::WallFaces face;
     face.low[0] = true;
     const riffle::WallLayers column(face, *services, spacing, e.reach[0]);
@@ -100,8 +112,8 @@ struct PistonWavemaker {
     for (const auto& p : riffle::WallLayers(face, *services, spacing, e.reach[0]).places()) {
       if (p[0] < services->low[0] && p[1] < services->low[1]) corner.push_back(p);
     }
-    riffle::add_wall_particles(e, RIFFLE_PISTON, piston, gravity);
-    riffle::add_wall_particles(e, RIFFLE_WALL, corner, gravity);
+    riffle::add_wall_particles(e, RIFFLE_PISTON, piston, gravity, spacing);
+    riffle::add_wall_particles(e, RIFFLE_WALL, corner, gravity, spacing);
     e.state[0] = e.state[1] = 0;
   }
   void edit(const riffle_editor& e) const {
@@ -119,12 +131,31 @@ struct PistonWavemaker {
       if (written == nullptr) written = e.write(e.context, "density", 0);
       written[k] = rho0;
     }
+    keep_before_the_face(e, services->low[0] + now, u, x, velocity);
+  }
+
+  // Rows that move over rows that do not leave a slit between them, and water is pressed into it. None comes nearer to the
+  // face than a quarter of a spacing, nor there to the floor: on their own particles stay a third away.
+  void keep_before_the_face(const riffle_editor& e, double face, double u, double* x, double* velocity) const {
+    const double l0 = riffle::wall_spacing(e, *services), nearest = 0.25 * l0, floor = services->low[1] + nearest;
+    double *z = nullptr, *up = nullptr;
+    for (std::int64_t k = 0; k < e.count; ++k) {
+      if (e.role[k] != RIFFLE_FLUID || x[k] >= face + l0) continue;
+      if (x[k] < face + nearest) {
+        x[k] = face + nearest;
+        velocity[k] = std::max(velocity[k], u);
+      }
+      if (e.read(e.context, "position", 1)[k] >= floor) continue;
+      if (z == nullptr) z = e.write(e.context, "position", 1), up = e.write(e.context, "velocity", 1);
+      z[k] = floor;
+      up[k] = std::max(up[k], 0.0);
+    }
   }
 
   const riffle_function* displacement;
   double end, gravity, rho0, depth = 0, height = 0;
   riffle::PistonLaw::Kind kind_of_law = riffle::PistonLaw::serre;
-  bool by_law = false;
+  bool by_law = false, driven = false;
   std::optional<riffle::PistonLaw> law;
   const riffle_services* services = nullptr;
 };

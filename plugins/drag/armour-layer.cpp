@@ -9,6 +9,7 @@
 // Not in it: viscous drag in the roughness layer, grains one by one.
 #include <riffle/porous_drag.hpp>
 #include <riffle/sdk.hpp>
+#include <riffle/services.hpp>
 
 namespace f = riffle::fields;
 
@@ -40,6 +41,7 @@ struct ArmourLayer {
         from_x(v.number("from_x")),
         nu(v.number("viscosity")) {}
 
+  void connect(const riffle_services& s) const { riffle::require_within_domain(s, "grain_diameter", diameter); }
   void run(const riffle::Block& b) const {
     const double *x = b.in(2, 0), *z = b.in(2, b.dim() - 1), *phi = b.in(1);
     riffle::porous_drag::add(b, [&](std::int64_t k, double speed) {

@@ -10,6 +10,7 @@
 // Not in it: the inertia of water that moves around grains in waves (van-gent names it), turbulence within pores.
 #include <riffle/porous_drag.hpp>
 #include <riffle/sdk.hpp>
+#include <riffle/services.hpp>
 
 namespace f = riffle::fields;
 
@@ -30,6 +31,7 @@ struct Ergun {
   explicit Ergun(const riffle::Values& v)
       : diameter(v.number("grain_diameter")), c1(v.number("c1")), c2(v.number("c2")), nu(v.number("viscosity")) {}
 
+  void connect(const riffle_services& s) const { riffle::require_within_domain(s, "grain_diameter", diameter); }
   void run(const riffle::Block& b) const {
     riffle::porous_drag::add(b, [&](std::int64_t k, double speed) {
       return riffle::porous_drag::ergun(b.in(1)[k], diameter, nu, c1, c2).rate(speed);

@@ -8,6 +8,7 @@
 // Not in it: his third term, c dU/dt, the added mass of water that is accelerated around the grains (0.34 (1-phi)/phi of it).
 #include <riffle/porous_drag.hpp>
 #include <riffle/sdk.hpp>
+#include <riffle/services.hpp>
 
 namespace f = riffle::fields;
 
@@ -32,6 +33,7 @@ struct VanGent {
         beta(v.number("beta") * (v.number("keulegan_carpenter") > 0 ? 1 + 7.5 / v.number("keulegan_carpenter") : 1)),
         nu(v.number("viscosity")) {}
 
+  void connect(const riffle_services& s) const { riffle::require_within_domain(s, "grain_diameter", diameter); }
   void run(const riffle::Block& b) const {
     riffle::porous_drag::add(b, [&](std::int64_t k, double speed) {
       return riffle::porous_drag::ergun(b.in(1)[k], diameter, nu, alpha, beta).rate(speed);

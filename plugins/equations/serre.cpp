@@ -1,4 +1,4 @@
-// Serre (Green-Naghdi) equations on a level bed from a discrete Lagrangian: shallow water with the pressure of vertical
+// Serre (Green-Naghdi) equations from a discrete Lagrangian: shallow water with the pressure of vertical
 // acceleration, which makes waves disperse. With what swe-variational has (riffle/variational_shallow.hpp),
 //
 //   L = sum_i V_i [ u_i^2 / 2 + (dh_i/dt)^2 / 6 - g h_i / 2 ],     dh_i/dt = sum_j D_ij u_j,   D_ij = dh_i / dx_j
@@ -11,10 +11,12 @@
 //   N = h^2 / 3 [ t1 D a + (t1 + t3) Q / 2 + (t1 - t2) h u u_xx ]          (all three: D a + Q)
 //
 // Single terms are not invariant under a moving frame, and B3 without B1 is backward diffusion wherever the flow expands.
-// With eta = 1 and the cubic spline it is cheapest and best. Not in it: slope and curvature of the bed in the vertical
-// acceleration (hydrostatic forces of a bed are); friction acts outside the solve. Where it fails: dam breaks of depth ratio 0.3 and below without `breaking`; water of very different volumes side by side.
+// Slope and curvature of a bed take part in the vertical acceleration with all three terms (riffle/bed_motion.hpp).
+// With eta = 1 and the cubic spline it is cheapest and best. Not in it: a varying width; friction acts outside the solve.
+// Where it fails: dam breaks of depth ratio 0.3 and below without `breaking`; water of very different volumes side by side.
 #include <algorithm>
 #include <cmath>
+#include <riffle/bed_motion.hpp>
 #include <riffle/dispersion_system.hpp>
 #include <riffle/variational_shallow.hpp>
 #include <stdexcept>
@@ -29,7 +31,7 @@ struct Serre {
   static constexpr auto summary = "Serre equations: shallow water with dispersion, one banded solve per evaluation";
   static constexpr auto source =
       "Serre (1953); Green & Naghdi (1976); terms after Diwakar & Mohapatra (2024) eqs 1-3, in consistent form";
-  static constexpr auto leaves_out = "slope and curvature of the bed in the vertical acceleration; varying width";
+  static constexpr auto leaves_out = "varying width";
   static constexpr std::uint32_t dims = 1u << 1;
 
   static constexpr riffle_parameter parameters[] = {
@@ -41,6 +43,8 @@ struct Serre {
       riffle::choice("terms", "B1+B2+B3|B1+B2|B1+B3|B2+B3|B1|B2|B3|none", "B1+B2+B3",
                      "which terms of the vertical acceleration; in a manifest also [\"B1\", \"B2\"]"),
       riffle::boolean("allow_ill_posed", false, "run B3 without B1, which is ill-posed where the flow expands"),
+      riffle::choice("bed_terms", "on|off", "on",
+                     "off: the bed acts by gravity alone, as it does with fewer than all three terms"),
       riffle::choice("dispersion", "everywhere|where-needed|off", "everywhere",
                      "where the terms act; where-needed: where the non-hydrostatic ratio is above `threshold`"),
       riffle::real("threshold", "1", 0.001, 0, 10,
@@ -193,6 +197,8 @@ struct Serre {
     }
   };
 
+  static constexpr auto with_bed_terms = "bed_terms=on";
+
   struct Breaking {  // dissipation of a bore that breaks, in the form of v::Momentum
     static constexpr auto pass_name = "dissipation where water breaks";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
@@ -243,7 +249,11 @@ struct Serre {
                                             riffle::at_i(ratio, RIFFLE_PREVIOUS),
                                             riffle::at_i(active, RIFFLE_PREVIOUS),
                                             riffle::at_i(breaks, RIFFLE_PREVIOUS),
-                                            riffle::at_i(f::velocity)};
+                                            riffle::at_i(f::velocity),
+                                            riffle::at_i(riffle::bed_motion::gradient, RIFFLE_OPTIONAL),
+                                            riffle::at_i(riffle::bed_motion::source, RIFFLE_OPTIONAL),
+                                            riffle::at_i(riffle::bed_motion::inertia, RIFFLE_OPTIONAL),
+                                            riffle::at_i(riffle::bed_motion::push, RIFFLE_OPTIONAL)};
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration), riffle::set(vertical), riffle::set(ratio),
                                               riffle::set(active), riffle::set(breaks)};
     static void run(const Serre& s, const riffle::Block& b, const riffle_pairs& pairs);
@@ -255,9 +265,9 @@ struct Serre {
     static constexpr riffle_write writes[] = {riffle::sum(f::acceleration)};
     static void run(const Serre&, const riffle::Block& b) { RIFFLE_EACH(k, b) b.out(0)[k] += b.in(0)[k]; }
   };
-  using passes =
-      riffle::Passes<v::Start<Serre>, Sides, v::Section<Serre>, v::Support<Serre>, v::Momentum<Serre>,
-                     v::BedSlope<Serre>, Gradients, Derivatives, Curvature, Source, Breaking, Solve, Hydrostatic>;
+  using passes = riffle::Passes<v::Start<Serre>, Sides, v::Section<Serre>, v::Support<Serre>, v::Momentum<Serre>,
+                                v::BedSlope<Serre>, Gradients, Derivatives, Curvature, Source,
+                                riffle::bed_motion::Pass<Serre>, Breaking, Solve, Hydrostatic>;
 
   using votes = riffle::Votes<v::Acoustic<Serre>>;
 
@@ -294,7 +304,7 @@ struct Serre {
 struct Work {
   riffle::DispersionSystem system;
   std::vector<char> quiet, on, broken, wide;
-  std::vector<double> product;
+  std::vector<double> product, own, source;
 };
 
 void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pairs& pairs) {
@@ -308,13 +318,22 @@ void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pair
   thread_local Work kept;  // memory from call to call
   Work& work = kept;
   riffle::DispersionSystem& system = work.system;
+  const bool over_bed = s.t1 * s.t2 * s.t3 != 0 && b.has(12);
+  if (over_bed) {
+    work.own.assign(own, own + n);
+    work.source.assign(source, source + n);
+    RIFFLE_EACH(k, b) work.own[static_cast<std::size_t>(k)] += b.in(12)[k];
+    RIFFLE_EACH(k, b) work.source[static_cast<std::size_t>(k)] += b.in(13)[k];
+    own = work.own.data();
+    source = work.source.data();
+  }
   // Water at rest whose acceleration is round-off, or nearly so: it stays at rest, to the last bit.
   work.quiet.assign(size, 0);
   char* quiet = work.quiet.data();
   if (s.where_needed) {
     const double least = s.rest * s.gravity;
     for (std::int64_t i = 0; i < n; ++i) {
-      const bool still = (u[i] == 0) & (std::abs(source[i]) < least) & (std::abs(given[i]) < least);
+      const bool still = u[i] == 0 && std::abs(source[i]) < least && std::abs(given[i]) < least;
       quiet[i] = still ? 1 : 0;
     }
   }
@@ -349,7 +368,8 @@ void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pair
     }
   }
 
-  const double* solved = system.solve(s.t1, work.on, volume, given, source);
+  const double* solved =
+      system.solve(s.t1, work.on, volume, given, source, over_bed ? b.in(14) : nullptr, over_bed ? b.in(15) : nullptr);
   if (solved == nullptr)
     throw std::runtime_error(s.t3 != 0 && s.t1 == 0
                                  ? "terms with B3 but without B1 are ill-posed in expansion, and the flow has blown up"

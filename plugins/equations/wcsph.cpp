@@ -11,6 +11,7 @@
 // (2017) eqs 3.9-3.11, 4.56, 4.57 with the time levels and signs of the printed ones put right.
 // Not in it: surface tension, air; density diffusion is the filter delta-sph; shocks want a viscosity.
 #include <algorithm>
+#include <riffle/services.hpp>
 #include <riffle/viscous_stress.hpp>
 #include <riffle/weakly_compressible.hpp>
 #include <string>
@@ -66,7 +67,7 @@ struct Wcsph {
         const double rho = s.density_at_rest(b.in(1, 0)[k], b.dim() == 3 ? b.in(1, 1)[k] : 0, z);
         b.out(0)[k] = (b.has(2) ? b.in(2)[k] : 1) * rho * cell;
         b.out(1)[k] = rho;
-        b.out(2)[k] = s.smoothing_ratio * (b.dim() == 2 ? std::sqrt(cell) : std::cbrt(cell));
+        b.out(2)[k] = s.smoothing_ratio * riffle::particle_spacing(s.services, cell, b.dim());
         b.out(3)[k] = s.c0;
         b.out(4)[k] = s.c0 * b.out(2)[k];
       }
@@ -144,24 +145,28 @@ struct Wcsph {
       RIFFLE_EACH(k, b) rate[k] = volume[k] * gradient[k] * approach[k];
     }
   };
-  // What phi_i u_i - phi_j u_j has beyond phi_i (u_i - u_j).
+  // What phi_i u_i - phi_j u_j has beyond phi_i (u_i - u_j), over phi_i: (1 - phi_j / phi_i) u_j, with u_j . x from the
+  // particle's own velocity and the approach, so that no velocity is fetched from neighbours twice.
   struct PorousContinuity {
     static constexpr auto pass_name = "continuity across porosity";
     static constexpr auto pass_type = RIFFLE_PASS_PAIR;
     static constexpr std::uint32_t pass_flags = RIFFLE_IF_PROVIDED;
     static constexpr riffle_read reads[] = {riffle::at_i(f::kernel_gradient), riffle::at_j(wc::particle_volume),
-                                            riffle::at_j(f::velocity),        riffle::pair(f::separation),
-                                            riffle::at_i(f::porosity),        riffle::at_j(f::porosity)};
+                                            riffle::at_i(f::velocity),        riffle::pair(f::separation),
+                                            riffle::at_i(f::porosity),        riffle::at_j(f::porosity),
+                                            riffle::pair(f::approach)};
     static constexpr riffle_write writes[] = {riffle::sum(wc::velocity_divergence)};
-    static void run(const Wcsph&, const riffle::Block& b) {
-      const double *gradient = b.in(0), *volume = b.in(1), *phi_i = b.in(4), *phi_j = b.in(5);
+    static void run(const Wcsph&, const riffle::Block& b) { b.dim() == 2 ? across<2>(b) : across<3>(b); }
+    template <int Dim>
+    static void across(const riffle::Block& b) {
+      const double *gradient = b.in(0), *volume = b.in(1), *phi_i = b.in(4), *phi_j = b.in(5), *approach = b.in(6);
+      const double *u = b.in(2, 0), *v = b.in(2, 1), *w = Dim == 3 ? b.in(2, Dim - 1) : u;
+      const double *x = b.in(3, 0), *y = b.in(3, 1), *z = Dim == 3 ? b.in(3, Dim - 1) : x;
       double* rate = b.out(0);
-      RIFFLE_EACH(k, b) rate[k] = 0;
-      for (int c = 0; c < b.dim(); ++c) {
-        const double *u = b.in(2, c), *x = b.in(3, c);
-        RIFFLE_EACH(k, b) rate[k] += u[k] * x[k];
+      RIFFLE_EACH(k, b) {
+        const double own = u[k] * x[k] + v[k] * y[k] + (Dim == 3 ? w[k] * z[k] : 0.0);
+        rate[k] = (1 - phi_j[k] / phi_i[k]) * (volume[k] * gradient[k]) * (own - approach[k]);
       }
-      RIFFLE_EACH(k, b) rate[k] *= (1 - phi_j[k] / phi_i[k]) * (volume[k] * gradient[k]);
     }
   };
   struct Compression {
@@ -307,6 +312,8 @@ struct Wcsph {
     }
   }
 
+  void connect(const riffle_services& s) { services = &s; }
+
   [[nodiscard]] double pressure_of(double rho) const {
     if (!tait) return c0 * c0 * (rho - rho0);
     const double ratio = rho / rho0, cube = ratio * ratio * ratio;
@@ -324,6 +331,7 @@ struct Wcsph {
   double removed_gravity = 0;  // of the hydrostatic pressure that is taken out; 0: none is
   bool laminar, tait;
   const riffle_function *driving, *surface;
+  const riffle_services* services = nullptr;
 };
 
 RIFFLE_PLUGIN(Wcsph)

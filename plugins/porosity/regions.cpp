@@ -12,6 +12,7 @@
 // Not in it: regions that move; three dimensions.
 #include <riffle/polygon.hpp>
 #include <riffle/porosity.hpp>
+#include <riffle/services.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -87,7 +88,15 @@ struct Regions {
 
   void connect(const riffle_services& s) {
     domain.services = &s;
+    riffle::require_within_domain(s, "thickness", thickness);
+    if (riffle::has_lattice(s) && thickness < s.spacing) {
+      std::ostringstream text;
+      text << "the transition of " << thickness << " m is thinner than the spacing of the particles, " << s.spacing
+           << " m: porosity that jumps drives currents in water at rest";
+      riffle::warn<Regions>(s, text.str());
+    }
     for (Region& region : regions) {
+      if (riffle::has_lattice(s)) require_that_it_meets_the_domain(region, s);
       region.inner.assign(region.outline.edges(), 1);
       for (std::size_t k = 0; k < region.outline.edges(); ++k) {
         for (std::size_t a = 0; a < 2; ++a) {
@@ -101,10 +110,27 @@ struct Regions {
     }
   }
 
+  void require_that_it_meets_the_domain(const Region& region, const riffle_services& s) const {
+    const auto number = static_cast<std::size_t>(&region - regions.data()) + 1;
+    for (std::size_t a = 0; a < 2; ++a) {
+      double low = region.outline.from(0)[a], high = low;
+      for (std::size_t k = 0; k < region.outline.edges(); ++k) {
+        low = std::min(low, region.outline.from(k)[a]), high = std::max(high, region.outline.from(k)[a]);
+      }
+      if (low < s.high[a] && high > s.low[a] && high - low < 100 * (s.high[a] - s.low[a])) continue;
+      std::ostringstream text;
+      text << "its "
+           << "xz"[a] << " from " << low << " to " << high << " does not fit the domain, " << s.low[a] << " to "
+           << s.high[a] << " m; corners are in metres";
+      refuse(number, text.str());
+    }
+  }
+
   [[nodiscard]] double porosity(const std::array<double, 3>& x) const {
     double phi = 1;
     for (const Region& region : regions) {
       const riffle::PlanePoint p{x[0], x[1]};
+      if (region.outline.beyond(p, 0.5 * thickness)) continue;
       const auto counts = [&](std::size_t k) { return region.inner.empty() || region.inner[k] != 0; };
       const double from = region.outline.distance(p, counts), d = region.outline.contains(p) ? from : -from;
       const double t = d > thickness ? 1 : d < -thickness ? 0 : std::clamp(0.5 + d / thickness, 0.0, 1.0);

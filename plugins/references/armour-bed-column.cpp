@@ -32,6 +32,9 @@ struct ArmourBedColumn {
       riffle::real("discharge", "m2.s-1", 0, 0, 1e4, "q per metre of width; two of discharge, level and slope"),
       riffle::real("flow_rate", "m3.s-1", 0, 0, 1e6, "Q in place of discharge; needs the width"),
       riffle::real("width", "m", 1, 0, 1e4, "of the channel, for flow_rate", RIFFLE_ABOVE_MIN),
+      riffle::real("flume_width", "m", 1, 0, 1e4,
+                   "with flow_rate, level and slope: warns where they need a wider channel than this",
+                   RIFFLE_ABOVE_MIN),
       riffle::real("level", "m", 0, -1e6, 1e6, "z_ws of the water; two of discharge, level and slope"),
       riffle::real("slope", "1", 0, 0, 1, "S0, sine of the angle of the bed; two of discharge, level and slope"),
       riffle::real("porosity", "1", 0.22, 0, 1, "phi0 of the bed below the trough",
@@ -47,6 +50,7 @@ struct ArmourBedColumn {
       riffle::real("length_offset", "m", 0, -100, 100, "Delta z_0: where it begins to grow, above the trough"),
       riffle::required_real("kappa_rough", "1", 0, 2, "kappa_r: its slope in the layer (0.27 B1, 0.15 B2)"),
       riffle::real("kappa_free", "1", 0.22, 0, 2, "kappa_f: its slope above the crest"),
+      riffle::inherited("end", "s", "time.end", 0, 1e9, "of the run, for a warning when it is too short"),
       riffle::integer("cells", 400, 16, 10000, "of the column; the error is of second order"),
       riffle::real("gravity", "m.s-2", 9.81, 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN, "fluid.gravity"),
       riffle::real("density", "kg.m-3", 1000, 0, 1e5, "of the water", RIFFLE_ABOVE_MIN, "fluid.density"),
@@ -72,6 +76,8 @@ struct ArmourBedColumn {
             v.number("viscosity"),
             {}},
         density(v.number("density")),
+        end(v.number("end")),
+        middle_given(v.given("middle") || v.given("porosity_profile")),
         cells(static_cast<int>(v.number("cells"))) {
     if (!v.given("middle")) bed.middle = 0.5 * (bed.trough + bed.crest);
     if (v.given("porosity_profile")) {
@@ -87,16 +93,47 @@ struct ArmourBedColumn {
     if (v.given("slope")) state.slope = v.number("slope");
     if (!v.given("flow_rate")) return;
     if (v.given("discharge")) throw std::invalid_argument("discharge: give it or flow_rate with width, not both");
+    if (!v.given("width") && v.given("flume_width") && v.given("level") && v.given("slope")) {
+      measured = v.number("flow_rate");
+      flume_width = v.number("flume_width");
+      return;
+    }
     if (!v.given("width")) {
       throw std::invalid_argument("flow_rate needs the width of the channel (or give discharge, in m2/s)");
     }
     state.discharge = v.number("flow_rate") / v.number("width");
   }
 
-  void connect(const riffle_services&) {
+  void connect(const riffle_services& s) {
     riffle::check_armour_bed(bed, state.level);
     const riffle::Column column = bed.column(cells);
     if (auto found = riffle::channel_flow(column, state)) flow.emplace(std::move(*found), column, density);
+    if (flow && riffle::has_lattice(s)) warn_of(s);
+  }
+
+  void warn_of(const riffle_services& s) const {
+    const double q = flow->flow().discharge(), slope = flow->flow().slope();
+    riffle::warn_of_relaxation<ArmourBedColumn>(s, flow->mean_velocity(), bed.gravity * slope, end);
+    std::ostringstream text;
+    text.precision(3);
+    if (!middle_given) {
+      text << "middle is not given, taken as that of the layer, " << bed.middle << " m";
+      riffle::ArmourBed other = bed;
+      other.middle = bed.middle + 0.1 * (bed.crest - bed.trough);
+      if (other.middle + other.half_ramp() <= bed.crest) {
+        const double then = riffle::ColumnFlow::of_slope(other.column(100), flow->flow().level(), slope).discharge();
+        const double now = riffle::ColumnFlow::of_slope(bed.column(100), flow->flow().level(), slope).discharge();
+        text << "; " << 1e3 * (other.middle - bed.middle) << " mm more change the discharge by "
+             << 100 * (then / now - 1) << " %";
+      }
+      riffle::warn<ArmourBedColumn>(s, text.str());
+      text.str("");
+    }
+    if (measured > 0 && measured / q > flume_width) {
+      text << "a flow rate of " << measured << " m3/s at this level and slope needs a width of " << measured / q
+           << " m, more than the flume's " << flume_width << " m: the bed is too rough or the slope too small for it";
+      riffle::warn<ArmourBedColumn>(s, text.str());
+    }
   }
 
   void exact(const riffle_points& points, double* const* values, double* const* scales, std::uint8_t* defined) const {
@@ -105,7 +142,8 @@ struct ArmourBedColumn {
   }
   riffle::ArmourBed bed;
   riffle::ChannelState state;
-  double density;
+  double density, end, measured = 0, flume_width = 0;
+  bool middle_given;
   int cells;
   std::optional<riffle::ColumnProfile> flow;  // of the scene; none: nothing to compare with
 };

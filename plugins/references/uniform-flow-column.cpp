@@ -38,6 +38,7 @@ struct UniformFlowColumn {
                      "mixing length: eq. 2.9 (3.8 without wake) or eq. 2.6"),
       riffle::real("coles", "1", 0, 0, 2,
                    "Coles' wake parameter Pi of eq. 2.9; 0 as in eq. 3.8, 0.2 after Nezu & Rodi"),
+      riffle::inherited("end", "s", "time.end", 0, 1e9, "of the run, for a warning when it is too short"),
       riffle::integer("cells", 400, 12, 10000, "of the column; the error is of second order"),
       riffle::real("gravity", "m.s-2", 9.81, 0, 1000, "acceleration of gravity", RIFFLE_ABOVE_MIN, "fluid.gravity"),
       riffle::real("density", "kg.m-3", 1000, 0, 1e5, "of the water", RIFFLE_ABOVE_MIN, "fluid.density"),
@@ -45,7 +46,7 @@ struct UniformFlowColumn {
   static constexpr const auto& gives = riffle::column_gives;
 
   explicit UniformFlowColumn(const riffle::Values& v)
-      : rough(v.number("roughness_height")), density(v.number("density")) {
+      : rough(v.number("roughness_height")), density(v.number("density")), end(v.number("end")) {
     const double bed = v.number("bed_level"), d = v.number("grain_diameter"), cd = v.number("drag_coefficient");
     const double kappa = v.number("kappa"), coles = v.number("coles");
     column.gravity = v.number("gravity");
@@ -68,7 +69,7 @@ struct UniformFlowColumn {
     if (v.given("slope")) state.slope = v.number("slope");
   }
 
-  void connect(const riffle_services&) {
+  void connect(const riffle_services& s) {
     if (state.level && !(*state.level > column.bottom + rough)) {
       std::ostringstream text;
       text << "depth: " << *state.level - column.bottom
@@ -77,13 +78,15 @@ struct UniformFlowColumn {
       throw std::invalid_argument(text.str());
     }
     if (auto found = riffle::channel_flow(column, state)) flow.emplace(std::move(*found), column, density);
+    if (!flow) return;
+    riffle::warn_of_relaxation<UniformFlowColumn>(s, flow->mean_velocity(), column.gravity * flow->flow().slope(), end);
   }
 
   void exact(const riffle_points& points, double* const* values, double* const* scales, std::uint8_t* defined) const {
     std::fill_n(defined, points.n, std::uint8_t{0});
     if (flow) flow->write(points, values, scales, defined);
   }
-  double rough, density;
+  double rough, density, end;
   riffle::Column column;
   riffle::ChannelState state;
   std::optional<riffle::ColumnProfile> flow;  // of the scene; none: nothing to compare with

@@ -1,6 +1,7 @@
 #include "tests/contract/loaded.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/dll/shared_library.hpp>
 #include <filesystem>
 #include <map>
@@ -53,10 +54,11 @@ const std::map<std::string, double>& usual_quantities() {
 
 }  // namespace
 
-const riffle_services& flat_metre() {
-  static const riffle_services scene = [] {
+const riffle_services& flat_metre(int dim) {
+  const auto scene_of = [](int dimensions) {
     riffle_services s{};
     s.size = sizeof s;
+    s.dim = dimensions;
     std::fill_n(s.high, 3, 1.0);
     s.bed = [](const void*, std::int64_t n, const double*, const double*, double* level, double* slope_x,
                double* slope_y) noexcept {
@@ -69,8 +71,9 @@ const riffle_services& flat_metre() {
       if (slope != nullptr) std::fill_n(slope, n, 0.0);
     };
     return s;
-  }();
-  return scene;
+  };
+  static const std::array<riffle_services, 3> scenes{scene_of(1), scene_of(2), scene_of(3)};
+  return scenes.at(static_cast<std::size_t>(dim - 1));
 }
 
 const std::vector<Loaded>& all_plugins() {

@@ -39,15 +39,17 @@ struct Refused : std::runtime_error {
 };
 
 // A scene of one metre, without bed and a metre wide.
-const riffle_services& flat_metre();
+const riffle_services& flat_metre(int dim);
 
 // One instance. Parameters that are not given have their default; choices are given by index, functions are constant. Throws Refused with the
 // plugin's own sentence, and std::out_of_range for a parameter that the plugin does not have.
 class Instance {
  public:
-  // Connected to `scene` at once; nullptr when the test does that itself.
-  Instance(const riffle_plugin& plugin, int dim, const std::map<std::string, double>& given = {},
-           const riffle_services* scene = &flat_metre());
+  // Connected to `scene` at once, to flat_metre if not said; nullptr when the test does that itself.
+  Instance(const riffle_plugin& plugin, int dim, const std::map<std::string, double>& given = {})
+      : Instance(plugin, dim, given, &flat_metre(dim)) {}
+  Instance(const riffle_plugin& plugin, int dim, const std::map<std::string, double>& given,
+           const riffle_services* scene);
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

@@ -11,7 +11,14 @@ namespace riffle {
 namespace {
 
 // The address sanitizer reports a crash itself and then ends the process.
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RIFFLE_UNDER_ADDRESS_SANITIZER
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define RIFFLE_UNDER_ADDRESS_SANITIZER
+#endif
+#if defined(RIFFLE_UNDER_ADDRESS_SANITIZER)
 const std::string crash = "ends the whole program with status 1";
 #else
 const std::string crash = "crashes: Segmentation fault";

@@ -42,6 +42,14 @@ class Seepage(unittest.TestCase):
         self.assertEqual(run("seepage/crushed-rock.toml", *fine, 'time.drag="explicit"', code=1)["status"], "failed")
 
 
+    def test_through_a_block_it_has_the_velocities_of_dupuit_and_forchheimer(self):
+        # 10 to 14 rows; waves between the free faces are not quite gone: 4 % rms then, 2.5 % in the mean
+        record = run("seepage/block.toml", "initial.particles.spacing=0.01", "time.end=2.4")
+        self.assertLess(record["errors"]["velocity_x"]["l2"], 0.06)
+        self.assertLess(record["errors"]["velocity_x"]["l1"], 0.04)
+        self.assertLess(record["errors"]["pressure"]["l2"], 0.03)
+
+
 class StillWater(unittest.TestCase):
     coarse = ("initial.particles.spacing=0.01", "time.end=1")
 
@@ -62,19 +70,20 @@ class Dam(unittest.TestCase):
         self.assertLess(by_time["0.6"], 0.0075)
 
 
-class Mistakes(unittest.TestCase):
-    def test_regions_that_cannot_be_are_refused_in_one_sentence(self):
-        for regions, words in (("0.5: 0 0, 1 1, 1 0, 0 1", "crosses itself"),
-                               ("0: 0 0, 1 0, 1 1", "porosity must be above 0 and at most 1"),
-                               ("0.5: 0 0, 0.4 0, 0.4 0.1, 0 0.1; 0.4: 0.3 0, 0.6 0, 0.6 0.1, 0.3 0.1", "overlaps region 1"),
-                               ("0.5: 0 0, 1 0", "at least 3 corners")):
-            text = run("porous-still/column.toml", f'plugins.porosity.regions="{regions}"', code=2)
-            self.assertIn(words, text)
-            self.assertEqual(text.count("\n"), 1, text)
+class Gate(unittest.TestCase):
+    dam = ("plugins.gate.kind=boundary", "plugins.gate.id=gate", "plugins.gate.position=0.281", "plugins.gate.thickness=0.019",
+           'initial.inside="z < (x < 0.281 ? 0.2373 : x < 0.3 ? 0 : 0.0247) ? 1 : 0"', "plugins.equations.sound_speed=15",
+           'plugins.equations.surface="x < 0.3 ? 0.2373 : 0.0247"')
 
-    def test_a_stroke_longer_than_the_tank_is_refused(self):
-        text = run("breakwater/smooth.toml", "plugins.piston.height=3", "plugins.piston.depth=0.1", code=2)
-        self.assertIn("stroke of the piston", text)
+    def test_it_holds_the_water_until_it_is_pulled_up_and_then_is_gone(self):
+        closed = run("porous-dam/crushed-rock.toml", *self.dam, "plugins.gate.opening_time=0.02", "plugins.gate.start=1",
+                     "time.end=0.05")
+        opened = run("porous-dam/crushed-rock.toml", *self.dam, "plugins.gate.opening_time=0.02", "time.end=0.05")
+        rows = round(0.36 / 0.005986577181)
+        self.assertEqual(closed["particles"] - opened["particles"], 3 * rows)
+        # Water that falls for 0.05 s has 0.5 m/s; behind the gate that of the tail water that fills the 19 mm before the rock
+        self.assertLess(closed["extrema"]["velocity_x"]["max"], 0.1)
+        self.assertGreater(opened["extrema"]["velocity_x"]["max"], 0.2)
 
 
 if __name__ == "__main__":

@@ -10,11 +10,14 @@ double reads_past_the_end(int n) {
   return values[static_cast<std::size_t>(n)];
 }
 
-double forgets_memory(int n) {
-  const auto* volatile forgotten = new std::vector<double>(static_cast<std::size_t>(n), 1.0);
-  const double first = forgotten->front();
-  forgotten = nullptr;
-  return first;
+double forgets_memory(int n) {  // again and again: the last pointer may still lie on the stack
+  double sum = 0;
+  for (int time = 0; time < 4; ++time) {
+    const auto* volatile forgotten = new std::vector<double>(static_cast<std::size_t>(n), 1.0);
+    sum += forgotten->front();
+    forgotten = nullptr;
+  }
+  return sum;
 }
 
 double overflows_an_integer(int n) {

@@ -299,6 +299,11 @@ typedef struct riffle_services {
               double *slope_y) RIFFLE_NOEXCEPT;
   /* width[k] = B(x[k]) [m] and dB/dx [1], which may be NULL; 1 m when there is none */
   void (*width)(const void *context, int64_t n, const double *x, double *width, double *slope) RIFFLE_NOEXCEPT;
+  double spacing; /* initial.particles.spacing [m]; 0 when particles are placed by count */
+  uint32_t starts_from_reference; /* 1 when an initial field begins as the reference has it */
+  uint32_t reserved;
+  /* For whoever runs the scene, in connect: one sentence about what can be computed and yet is doubtful. [main] */
+  void (*warn)(const void *context, const char *sentence) RIFFLE_NOEXCEPT;
 } riffle_services;
 
 /* A plugin that an equation set cannot be run with. */

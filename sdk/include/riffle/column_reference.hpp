@@ -10,6 +10,7 @@
 
 #include "riffle/column.hpp"
 #include "riffle/fields.hpp"
+#include "riffle/services.hpp"
 
 namespace riffle {
 
@@ -52,6 +53,21 @@ inline std::optional<ColumnFlow> channel_flow(const Column& column, const Channe
   if (!s.discharge) return ColumnFlow::of_slope(column, *s.level, *s.slope);
   if (!s.slope) return ColumnFlow::of_discharge(column, *s.level, *s.discharge);
   return ColumnFlow::of_slope_and_discharge(column, *s.slope, *s.discharge);
+}
+
+// From rest a channel comes to its mean velocity U as U tanh(g S0 t / U): says so when the run ends before, unless it begins
+// with the velocities of the reference. `end` [s], 0: not known.
+template <class Plugin>
+void warn_of_relaxation(const riffle_services& scene, double mean_velocity, double force, double end) {
+  if (!has_lattice(scene) || scene.starts_from_reference != 0 || !(end > 0)) return;
+  const double relaxation = mean_velocity / (2 * force), missing = 1 - std::tanh(end / (2 * relaxation));
+  if (!(missing > 0.01)) return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "time.end is " << end / relaxation << " relaxation times (" << relaxation
+       << " s): from rest the mean velocity will be " << 100 * missing
+       << " % low; begin with velocity = \"reference\", or run to " << 5.3 * relaxation << " s";
+  warn<Plugin>(scene, text.str());
 }
 
 // Names of the shear stresses that equation sets of weakly compressible flow offer to outputs. In uniform flow all of it is

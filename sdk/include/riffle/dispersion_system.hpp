@@ -1,7 +1,8 @@
 // The linear system of vertical acceleration in shallow water, along a line:
 //
-//   (V + t1/3 D^T P V D) a = V a_h - 1/3 D^T P V S,     D_ij = dh_i / dx_j,  P = 1 where the terms act, else 0
+//   (V + t1/3 D^T P V D + P V B) a = V a_h - 1/3 D^T P V S - P V F,     D_ij = dh_i / dx_j
 //
+// with P = 1 where the terms act, else 0, and inertia B and push F of a bed (riffle/bed_motion.hpp), if there is one.
 // Green & Naghdi (1976) as a discrete Lagrangian. The matrix is symmetric positive definite; D 1 = 0 keeps momentum.
 #pragma once
 
@@ -77,8 +78,8 @@ class DispersionSystem {  // memory is kept from call to call
   // The accelerations, of which those that no term reaches are the hydrostatic ones; or nullptr when the matrix is not
   // positive definite.
   const double* solve(double t1, const std::vector<char>& acts, const double* volume, const double* hydrostatic,
-                      const double* source) {
-    const Problem problem{t1, &acts, volume, hydrostatic, source};
+                      const double* source, const double* inertia = nullptr, const double* push = nullptr) {
+    const Problem problem{t1, &acts, volume, hydrostatic, source, inertia, push};
     switch (half_) {
       case 1: return banded<1>(problem, band1_);
       case 2: return banded<2>(problem, band2_);
@@ -141,7 +142,7 @@ class DispersionSystem {  // memory is kept from call to call
   struct Problem {
     double t1;
     const std::vector<char>* acts;
-    const double *volume, *hydrostatic, *source;
+    const double *volume, *hydrostatic, *source, *inertia, *push;
     [[nodiscard]] bool active(std::int64_t i) const { return (*acts)[static_cast<std::size_t>(i)] != 0; }
   };
   [[nodiscard]] const double* row(std::int64_t i) const { return rows_.data() + i * (2 * half_ + 1) + half_; }
@@ -177,6 +178,10 @@ class DispersionSystem {  // memory is kept from call to call
   void add(const Problem& p, std::int64_t i, Band<2 * Half>& band, double* x) {
     constexpr int wide = 2 * Half;
     const double third = p.volume[i] / 3, *d = rows_.data() + i * (wide + 1);
+    if (p.inertia != nullptr) {
+      band.row(i)[wide] += p.volume[i] * p.inertia[i];
+      x[i] -= p.volume[i] * p.push[i];
+    }
     for (int a = 0; a <= wide; ++a) {
       const double share = third * d[a];
       double* to = band.row(i - Half + a) + wide - a;
@@ -214,6 +219,10 @@ class DispersionSystem {  // memory is kept from call to call
     for (std::int64_t i = 0; i < n_; ++i) {
       if (!p.active(i)) continue;
       const double third = p.volume[i] / 3;
+      if (p.inertia != nullptr) {
+        matrix_.at(i, i) += p.volume[i] * p.inertia[i];
+        rhs[i] -= p.volume[i] * p.push[i];
+      }
       each_entry(i, [&](std::int64_t j, double d) {
         rhs[j] -= third * d * p.source[i];
         if (p.t1 == 0) return;

@@ -23,11 +23,13 @@ inline bool cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
   return ((ca > nothing && cb < -nothing) || (ca < -nothing && cb > nothing)) &&
          ((ac > nothing && ad < -nothing) || (ac < -nothing && ad > nothing));
 }
-inline double distance_to_edge(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
-  const double ex = b[0] - a[0], ez = b[1] - a[1], length2 = ex * ex + ez * ez;
-  const double along = length2 > 0 ? ((p[0] - a[0]) * ex + (p[1] - a[1]) * ez) / length2 : 0;
+// `inverse`: 1 over the squared length of the edge, 0 for an edge without length.
+inline double squared_distance_to_edge(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, double inverse) {
+  const double ex = b[0] - a[0], ez = b[1] - a[1];
+  const double along = ((p[0] - a[0]) * ex + (p[1] - a[1]) * ez) * inverse;
   const double s = std::clamp(along, 0.0, 1.0);
-  return std::hypot(p[0] - a[0] - s * ex, p[1] - a[1] - s * ez);
+  const double dx = p[0] - a[0] - s * ex, dz = p[1] - a[1] - s * ez;
+  return dx * dx + dz * dz;
 }
 }  // namespace polygon_detail
 
@@ -38,12 +40,21 @@ class Polygon {
     for (const auto& c : corners_) {
       for (std::size_t a = 0; a < 2; ++a) low[a] = std::min(low[a], c[a]), high[a] = std::max(high[a], c[a]);
     }
+    low_ = low, high_ = high;
+    for (std::size_t k = 0; k < edges(); ++k) {
+      const double x = to(k)[0] - from(k)[0], z = to(k)[1] - from(k)[1], square = x * x + z * z;
+      inverse_.push_back(square > 0 ? 1 / square : 0);
+    }
     size_ = std::hypot(high[0] - low[0], high[1] - low[1]);
   }
   [[nodiscard]] std::size_t edges() const { return corners_.size(); }
   [[nodiscard]] const PlanePoint& from(std::size_t edge) const { return corners_[edge]; }
   [[nodiscard]] const PlanePoint& to(std::size_t edge) const { return corners_[(edge + 1) % corners_.size()]; }
 
+  // Surely further from all of the polygon than `far`: outside of its box by so much.
+  [[nodiscard]] bool beyond(const PlanePoint& p, double far) const {
+    return p[0] < low_[0] - far || p[0] > high_[0] + far || p[1] < low_[1] - far || p[1] > high_[1] + far;
+  }
   [[nodiscard]] double area() const {
     double twice = 0;
     for (std::size_t k = 0; k < edges(); ++k) twice += from(k)[0] * to(k)[1] - to(k)[0] * from(k)[1];
@@ -54,7 +65,8 @@ class Polygon {
     for (std::size_t k = 0; k < edges(); ++k) {
       const PlanePoint &a = from(k), &b = to(k);
       if ((a[1] > p[1]) == (b[1] > p[1])) continue;
-      if (p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+      const bool left = (p[0] - a[0]) * (b[1] - a[1]) < (p[1] - a[1]) * (b[0] - a[0]);  // of an edge that rises
+      if (left == (b[1] > a[1])) inside = !inside;
     }
     return inside;
   }
@@ -63,9 +75,9 @@ class Polygon {
   [[nodiscard]] double distance(const PlanePoint& p, const Counts& counts) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < edges(); ++k) {
-      if (counts(k)) least = std::min(least, polygon_detail::distance_to_edge(p, from(k), to(k)));
+      if (counts(k)) least = std::min(least, polygon_detail::squared_distance_to_edge(p, from(k), to(k), inverse_[k]));
     }
-    return least;
+    return std::sqrt(least);
   }
   [[nodiscard]] bool crosses_itself() const {
     for (std::size_t k = 0; k < edges(); ++k) {
@@ -104,6 +116,8 @@ class Polygon {
   }
 
   std::vector<PlanePoint> corners_;
+  std::vector<double> inverse_;  // per edge, 1 over its squared length
+  PlanePoint low_{}, high_{};
   double size_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <riffle/sdk.hpp>
+#include <riffle/services.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -124,16 +125,21 @@ class WallLayers {
   std::array<std::int64_t, 3> cells_{1, 1, 1};
 };
 
+// Of the lattice that walls continue [m].
+inline double wall_spacing(const riffle_editor& e, const riffle_services& services) {
+  return particle_spacing(&services, e.read(e.context, "cell_measure", 0)[0], e.dim);
+}
+
 // Adds particles of `role` at the places. Each is like the water nearest to it, with the density of water at rest there,
 // so that nothing starts at t = 0. Returns the index of the first.
 inline std::int64_t add_wall_particles(const riffle_editor& e, std::uint32_t role,
-                                       const std::vector<std::array<double, 3>>& places, double gravity) {
+                                       const std::vector<std::array<double, 3>>& places, double gravity,
+                                       double spacing = 0) {
   const std::int64_t water = e.count;
   if (water == 0) throw std::invalid_argument("walls of particles need water to be like, and there is none");
   const int up = e.dim - 1;
   // The nearest water by cells of the lattice; scenes have one spacing.
-  const double* measure = e.read(e.context, "cell_measure", 0);
-  const double spacing = std::pow(measure[0], 1.0 / e.dim);
+  if (!(spacing > 0)) spacing = std::pow(e.read(e.context, "cell_measure", 0)[0], 1.0 / e.dim);
   std::vector<std::int64_t> like(places.size());
   {
     std::array<const double*, 3> x{};

@@ -316,7 +316,7 @@ x = [0, 1]
 z = [0, 1]
 smoothing_ratio = 1.2
 [initial]
-particles = { spacing = 0.1, placement = "equal-volume" }
+particles = { count = 400, placement = "equal-volume" }
 velocity = 3
 inside = "y"
 [plugins.equations]
@@ -332,8 +332,7 @@ id = "stoker"
 )"),
       (Lines{
           "case.toml:8:1: initial.density is missing; equations \"compressible\" needs it [kg.m-3]",
-          "case.toml:9:42: initial.particles must be placed by spacing when domain.dimension is 2, got placement = "
-          "\"equal-volume\"",
+          "case.toml:9:15: initial.particles must be placed by spacing when domain.dimension is 2, got count",
           "case.toml:10:12: initial.velocity must be an array of 2 functions (x, z), one per component, got 3",
           "case.toml:11:10: initial.inside uses y, but with domain.dimension = 2 there are only x and z",
           "case.toml:14:15: plugins.equations.sound_speed must be a velocity above 0 m.s-1, got 0",

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -285,6 +286,65 @@ TEST(PlacementErrors, AFunctionWithoutAValueIsNamedWithThePlace) {
   const Function hole = function([](double x, double, double) { return x > 0.5 ? std::nan("") : 1; });
   EXPECT_EQ(error_of([&] { by_spacing(channel(0, 1, hole), 0.5); }),
             "initial.depth must be finite at t = 0, got nan at x = 0.75");
+}
+
+// A basin of 1 m by 0.3 m in the vertical plane, with pores where x > 0.5 m.
+PlacedParticles in_plane(const PorosityAt& porosity) {
+  Case scene;
+  scene.dimension = 2;
+  scene.upper[0] = 1;
+  scene.upper[1] = 0.3;
+  scene.placement.mode = Placement::Mode::equal_volume_in_plane;
+  scene.placement.spacing = 0.02;
+  scene.placement.inside = function([](double, double, double z) { return z < 0.2 ? 1.0 : 0.0; });
+  return place(scene, porosity);
+}
+
+TEST(EqualVolumeInPlane, StandsFurtherApartInPoresByOneOverTheRootOfThePorosity) {
+  const double phi = 0.36;
+  const auto half = [=](std::int64_t n, const double* x, const double*, double* out) {
+    for (std::int64_t k = 0; k < n; ++k) out[k] = x[k] < 0.5 ? 1 : phi;
+  };
+  const PlacedParticles found = in_plane(half);
+  double water = 0, smallest = 1, largest = 0, in_pores = 0, free = 0;
+  for (std::size_t k = 0; k < found.cell_measure.size(); ++k) {
+    const double here = (found.x[0][k] < 0.5 ? 1 : phi) * found.cell_measure[k];
+    water += here, smallest = std::min(smallest, here), largest = std::max(largest, here);
+    (found.x[0][k] < 0.5 ? free : in_pores) += 1;
+    EXPECT_LT(found.x[1][k], 0.2);
+  }
+  EXPECT_NEAR(water, 0.2 * 0.5 * (1 + phi), 1e-12) << "no water is lost or made by rounding";
+  EXPECT_NEAR(smallest, 0.0004, 0.08 * 0.0004) << "10 rows become 6: half a row is 8 % of a column";
+  EXPECT_NEAR(largest, 0.0004, 0.08 * 0.0004);
+  EXPECT_NEAR(in_pores / free, phi, 0.01);
+  std::vector<double> x;
+  for (const double at : found.x[0]) {
+    if (at > 0.55) x.push_back(at);
+  }
+  std::sort(x.begin(), x.end());
+  x.erase(std::unique(x.begin(), x.end()), x.end());
+  EXPECT_NEAR(x[1] - x[0], 0.02 / std::sqrt(phi), 0.02 * 0.02) << "columns";
+}
+
+TEST(EqualVolumeInPlane, IsTheLatticeOfTheSpacingInFreeWater) {
+  const PlacedParticles found = in_plane({});
+  ASSERT_EQ(found.cell_measure.size(), 500u);
+  for (std::size_t k = 0; k < 500; ++k) {
+    EXPECT_NEAR(found.cell_measure[k], 0.0004, 1e-12);
+    EXPECT_NEAR(found.x[1][k], 0.02 * (static_cast<double>(k % 10) + 0.5), 1e-9);
+  }
+}
+
+TEST(EqualVolumeInPlane, CutsIntoRowsWhereThePorosityChangesWithTheHeight) {
+  const auto bed = [](std::int64_t n, const double*, const double* z, double* out) {
+    for (std::int64_t k = 0; k < n; ++k) out[k] = z[k] < 0.1 ? 0.25 : 1;
+  };
+  const PlacedParticles found = in_plane(bed);
+  double below = 0;
+  for (const double z : found.x[1]) below += z < 0.1 ? 1 : 0;
+  const double columns = 1 / 0.02;
+  EXPECT_NEAR(below, columns / 2 * 2.5, columns / 4 + 1) << "2.5 rows of 25: 2 or 3 of them";
+  EXPECT_NEAR(static_cast<double>(found.x[1].size()), 0.125 / 0.0004, 0.02 * 0.125 / 0.0004);
 }
 
 }  // namespace

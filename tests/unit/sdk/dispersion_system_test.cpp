@@ -100,6 +100,33 @@ TEST_P(Width, DoesNotMatterToTheSolution) {
   }
 }
 
+TEST_P(Width, DoesNotMatterToWaterOverABed) {  // which is heavier, and is pushed, where the terms act
+  constexpr std::int64_t n = 30;
+  const Rows rows(n, GetParam());
+  const std::vector<double> d = rows.dense(), volume(n, 1.5), given(n, 0.7), source(n, -0.4);
+  std::vector<double> inertia(n), push(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    inertia[i] = 0.1 + 0.1 * std::sin(static_cast<double>(i));
+    push[i] = std::cos(static_cast<double>(i));
+  }
+  std::vector<char> acts(n, 1);
+  for (std::size_t i = 0; i < 12; ++i) acts[i] = 0;
+  DispersionSystem system;
+  system.read(rows.pairs, rows.own.data(), rows.entry.data(), n, std::vector<char>(n, 0));
+  const double* a = system.solve(1, acts, volume.data(), given.data(), source.data(), inertia.data(), push.data());
+  ASSERT_NE(a, nullptr);
+  for (std::size_t j = 0; j < n; ++j) {
+    double sum = volume[j] * (a[j] - given[j]);
+    if (acts[j] != 0) sum += volume[j] * (inertia[j] * a[j] + push[j]);
+    for (std::size_t i = 0; i < n; ++i) {
+      double rise = source[i];
+      for (std::size_t k = 0; k < n; ++k) rise += d[i * n + k] * a[k];
+      sum += acts[i] != 0 ? d[i * n + j] * volume[i] * rise / 3 : 0;
+    }
+    EXPECT_NEAR(sum, 0, 1e-12) << j;
+  }
+}
+
 TEST(DispersionSystem, LeavesOutWhatIsFarFromAnythingThatIsNotQuiet) {
   constexpr std::int64_t n = 400;
   const Rows rows(n, 2);

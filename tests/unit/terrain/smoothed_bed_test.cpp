@@ -83,5 +83,21 @@ TEST(SmoothedBed, OfAHumpConvergesWithTheLattice) {
   EXPECT_GT(coarse, 10 * fine);
 }
 
+TEST(SmoothedBed, HasTheCurvatureOfItsSlope) {
+  const double l = 0.5;
+  const MadeUpBed hill([](double x) { return 0.3 * std::exp(-x * x); });
+  const SmoothedBed smoothed = smooth(hill, l / 16);
+  constexpr double d = 1e-4;  // the difference's own error is below 1e-8
+  for (const double x : {-2.1, -0.7, 0.0, 0.31, 1.6}) {
+    const double difference = (smoothed.slope(x + d, l) - smoothed.slope(x - d, l)) / (2 * d);
+    // rises stand in the middle of their cells, jumps of slope at the faces: second order in the lattice
+    EXPECT_NEAR(smoothed.curvature(x, l), difference, 2e-4) << x;
+  }
+  const MadeUpBed bowl([](double x) { return 0.1 * x * x; });
+  EXPECT_NEAR(smooth(bowl).curvature(1.37, l), 0.2, 1e-6);  // the lattice sum of the kernel
+  const MadeUpBed ramp([](double x) { return 0.5 - 0.02 * x; });
+  EXPECT_EQ(smooth(ramp).curvature(3.1, l), 0);
+}
+
 }  // namespace
 }  // namespace riffle::test
