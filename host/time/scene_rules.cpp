@@ -95,7 +95,7 @@ std::vector<SceneWarning> doubtful_resolution(const Case& scene, const ParticleS
     fastest = std::max(fastest, square);
   }
   const double head = std::max(scene.gravity * depth, fastest);  // m2/s2
-  if (head > 1.02 * compression * sound * sound) {
+  if (head > 1.1 * compression * sound * sound) {                // water out of its lattice is a part of a row deeper
     warnings.push_back({"sound-speed",
                         fmt::format("a speed of sound of {:.4g} m/s lets the density vary by {:.2g} %: ten times {}, "
                                     "{:.4g} m/s, keeps it within 1 %",

@@ -20,7 +20,7 @@ namespace {
 #endif
 #if defined(RIFFLE_UNDER_ADDRESS_SANITIZER)
 const std::string crash = "ends the whole program with status 1";
-constexpr int slower = 15;
+constexpr int slower = 5;
 #else
 const std::string crash = "crashes: Segmentation fault";
 constexpr int slower = 1;
