@@ -111,7 +111,7 @@ struct MirrorWall {
     const double* x = e.read(e.context, "position", wall.axis);
     const auto inside = [&](std::int64_t k) { return e.role[k] == RIFFLE_FLUID || wall.distance(x[k]) >= 0; };
     const double position = wall.position, inward = wall.inward;
-    constexpr std::int64_t run = 512;              // most are far from it: whole runs of them are passed over at once
+    constexpr std::int64_t run = 64;               // most are far from it: whole runs of them are passed over at once
     std::vector<std::pair<double, double>> looks;  // of each run: the least distance, the largest reach
     double zone = 0, bound = 0;
     for (std::int64_t first = 0; first < e.count; first += run) {

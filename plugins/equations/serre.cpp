@@ -333,8 +333,8 @@ void Serre::Solve::run(const Serre& s, const riffle::Block& b, const riffle_pair
   if (s.where_needed) {
     const double least = s.rest * s.gravity;
     for (std::int64_t i = 0; i < n; ++i) {
-      const bool still = u[i] == 0 && std::abs(source[i]) < least && std::abs(given[i]) < least;
-      quiet[i] = still ? 1 : 0;
+      const int still = u[i] == 0 ? 1 : 0, unmoved = std::abs(source[i]) < least ? 1 : 0;
+      quiet[i] = static_cast<char>(still & unmoved & (std::abs(given[i]) < least ? 1 : 0));
     }
   }
   system.read(pairs, own, entries, n, work.quiet);
