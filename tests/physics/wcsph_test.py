@@ -41,6 +41,17 @@ class WeaklyCompressible(Scene):
             self.assertLess(record["extrema"]["velocity_z"]["max_abs"], 0.1)
             self.assertLess(abs(record["ledger"]["mass"]["imbalance"]), 1e-13)
 
+    # The same in space, with ten rows, and what a mirror of the tank in itself cannot change: its mean velocity along x, y.
+    def test_still_water_in_three_dimensions(self):
+        record = self.flow("hydrostatic/tank.toml", "output.picture=false")
+        self.assertEqual(record["status"], "finished")
+        self.assertEqual(record["errors"]["pressure"]["count"], 2000)
+        self.assertLess(record["errors"]["pressure"]["l2"], 0.02)
+        for axis in "xyz":
+            self.assertLess(record["errors"][f"velocity_{axis}"]["linf"], 0.01)  # 1 % of sqrt(g H)
+        for axis in "xy":
+            self.assertLess(abs(record["errors"][f"velocity_{axis}"]["mean"]), 1e-12)
+
     # A layer let go on a slope obeys U = g S0 t exactly. 0.98 is the project's bound for the default kernel; the cubic
     # spline at 1.2 spacings is the documented failure, which pressures relative to still water cure.
     def test_a_layer_on_a_slope_does_not_lock_unless_its_kernel_does(self):
