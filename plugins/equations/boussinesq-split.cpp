@@ -8,7 +8,8 @@
 // rest instead of back, whatever the time step, and viscosity makes it worse: the scheme is ill-posed unless the spacing is
 // above about 0.3 to 0.6 depths. That is looked at when the run begins, and refused with the numbers unless allowed. What the
 // paper prints in eqs 6 to 11 is dimensionally inconsistent (docs/theory-serre.md) and cannot be run.
-// Not in it: what serre leaves out. Where grids are coarse enough for it, it is no better than shallow water: use serre.
+// Not in it: a varying width; a bed but by its gravity. Where grids are coarse enough for it, it is no better than shallow
+// water: use serre.
 #include <algorithm>
 #include <cmath>
 #include <riffle/variational_shallow.hpp>
